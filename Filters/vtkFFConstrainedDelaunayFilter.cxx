@@ -9,7 +9,6 @@
 
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/EdgeLengths.h>
-#include <flipflop/Error.h>
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -29,7 +28,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,7 +65,8 @@ flipflop::ConstrainedTriangulation triangulate(vtkFFConstrainedDelaunayFilter* f
     run.SetPart(done, end);
     done = end;
   };
-  try
+  flipflop::ConstrainedTriangulation triangulation;
+  const auto work = [&]
   {
     if (split || (constraints && constraints->HasOwnPoints()))
     {
@@ -81,23 +80,15 @@ flipflop::ConstrainedTriangulation triangulate(vtkFFConstrainedDelaunayFilter* f
     }
     const auto view = constraints ? constraints->GetView() : flipflop::ConstraintView();
     partUpTo(view.sides > 0 ? 0.8 : 1.0);
-    auto triangulation = flipflop::constrainedTriangulation(input.GetPlane(), view, run.Options);
+    triangulation = flipflop::constrainedTriangulation(input.GetPlane(), view, run.Options);
     if (view.sides > 0)
     {
       partUpTo(1.0);
       dropped = dropOutside(run.Options, triangulation);
     }
-    return triangulation;
-  }
-  catch (const flipflop::Error& error)
-  {
-    const std::string text = constraints ? constraints->Describe(error, run) : std::string();
-    if (text.empty())
-    {
-      throw;
-    }
-    throw vtkFFBadConstraint(text);
-  }
+  };
+  vtkFFConstraints::Do(constraints, run, work);
+  return triangulation;
 }
 
 void warnOfNoneInside(vtkFFConstrainedDelaunayFilter* filter)
@@ -191,28 +182,14 @@ int vtkFFConstrainedDelaunayFilter::RequestData(
   vtkFFRun run(this, "Constrained Delaunay triangulation", outputVector);
   run.Options.polygons = this->PolygonRule == DIRECTION ? flipflop::PolygonRule::Direction
                                                         : flipflop::PolygonRule::EvenOdd;
-  run.Report.used = flipflop::EngineChoice::CPU;
-  std::snprintf(run.Report.reason, sizeof(run.Report.reason), "%s",
-    this->Engine == ENGINE_CPU ? "the CPU engine was asked for" : "constraints are the CPU's");
   run.Do(
     [&]
     {
-      if (this->Engine == ENGINE_CUDA)
-      {
-        throw vtkFFBadSetting("The CUDA engine was asked for, but constraints are the CPU's. Set "
-                              "Engine to Automatic or CPU.");
-      }
-      if (source && run.IsInComposite())
-      {
-        throw vtkFFBadSetting("The source's lines are for one data set, and an input is a "
-                              "composite. Take one data set, merge them, or take the source away.");
-      }
+      run.UseCPU("constraints are the CPU's");
+      vtkFFConstraints::CheckSource(source, run);
       vtkFFPlanarInput input(this, run);
       input.Take(points);
-      if (input.GetWeights().data)
-      {
-        throw vtkFFBadSetting("Constraints take no weights. Choose no weights' array.");
-      }
+      input.CheckUnweighted();
       std::optional<vtkFFConstraints> constraints;
       if (source)
       {

@@ -149,9 +149,9 @@ vtkFFConstraints::vtkFFConstraints(vtkFFConstrainedDelaunayFilter* filter, vtkPo
 
 //------------------------------------------------------------------------------
 vtkFFConstraints::vtkFFConstraints(
-  vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& given)
-  : vtkFFConstraints(
-      { vtkFFConstrainedDelaunayFilter::INPUT_POINTS, 2, false, false }, source, input, given)
+  vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& given, int dimensions)
+  : vtkFFConstraints({ vtkFFConstrainedDelaunayFilter::INPUT_POINTS, dimensions, false, false },
+      source, input, given)
 {
 }
 
@@ -525,6 +525,36 @@ void vtkFFConstraints::AppendNewPoints(vtkFFPlanarInput& input, vtkFFRun& run) c
 }
 
 //------------------------------------------------------------------------------
+void vtkFFConstraints::Do(const std::optional<vtkFFConstraints>& constraints, const vtkFFRun& run,
+  const std::function<void()>& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const flipflop::Error& error)
+  {
+    const std::string text = constraints ? constraints->Describe(error, run) : std::string();
+    if (text.empty())
+    {
+      throw;
+    }
+    throw vtkFFBadConstraint(text);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFConstraints::CheckSource(vtkPolyData* source, const vtkFFRun& run)
+{
+  if (source && run.IsInComposite())
+  {
+    throw vtkFFBadSetting("The source's lines are for one data set, and an input is a composite. "
+                          "Take one data set, merge them, or take the source away.");
+  }
+}
+
+//------------------------------------------------------------------------------
+// What goes wrong with constraints, in words that name their cells; empty for other errors.
 std::string vtkFFConstraints::Describe(const flipflop::Error& error, const vtkFFRun& run) const
 {
   const auto cellOf = [&](std::int64_t constraint)

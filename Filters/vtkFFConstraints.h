@@ -24,6 +24,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,9 +60,12 @@ public:
     const std::vector<vtkIdType>& given);
 
   /**
-   * The same for a filter without such settings: ids name points of the input, compared by x and y.
+   * The same for a filter without such settings: ids name points of the input.
+   *
+   * @param dimensions coordinates that are compared: 2, if z does not matter, or 3
    */
-  vtkFFConstraints(vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& given);
+  vtkFFConstraints(vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& given,
+    int dimensions = 2);
 
   vtkFFConstraints(const vtkFFConstraints&) = delete;
   void operator=(const vtkFFConstraints&) = delete;
@@ -127,9 +131,18 @@ public:
   vtkIdType GetCellId(std::int64_t constraint) const;
 
   /**
-   * What goes wrong with constraints, in words that name their cells; empty for other errors.
+   * Do what the constraints, if there are some, may be at fault in: then the error is in words that
+   * name their cells.
+   *
+   * @throw vtkFFBadConstraint; all that @p work throws
    */
-  std::string Describe(const flipflop::Error& error, const vtkFFRun& run) const;
+  static void Do(const std::optional<vtkFFConstraints>& constraints, const vtkFFRun& run,
+    const std::function<void()>& work);
+
+  /**
+   * @throw vtkFFBadSetting if there is a source, and the run is of a composite.
+   */
+  static void CheckSource(vtkPolyData* source, const vtkFFRun& run);
 
 private:
   enum class Cells
@@ -153,6 +166,7 @@ private:
   bool IsClosed(vtkIdList* corners) const;
   void Take(vtkCellArray* cells, vtkIdType firstCell, Cells which);
   std::int64_t GetId(vtkIdType point, vtkIdType cell) const;
+  std::string Describe(const flipflop::Error& error, const vtkFFRun& run) const;
   void CheckPoint(vtkIdType point, vtkIdType cell) const;
   void CheckOwnPoint(vtkIdType point, vtkIdType cell) const;
   vtkSmartPointer<vtkPolyData> GetOwnPoints(vtkPointSet* given) const;

@@ -18,6 +18,7 @@
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -25,6 +26,7 @@
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -224,6 +226,24 @@ vtkSmartPointer<vtkPointSet> vtkFFInput::PointsOf(vtkDataObject* data, const std
   result->GetPointData()->ShallowCopy(vtkDataSet::SafeDownCast(data)->GetPointData());
   vtkFFOutput::PassFieldData(data, result);
   return result;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFInput::RequestAll(vtkInformation* input)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (!input)
+  {
+    return;
+  }
+  input->Remove(Pipeline::UPDATE_EXTENT());
+  if (input->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
 }
 
 //------------------------------------------------------------------------------

@@ -25,6 +25,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkFFRun;
+class vtkInformation;
 class vtkPointSet;
 
 class vtkFFInput
@@ -55,6 +56,11 @@ public:
    *        component, or that no double holds; flipflop::Error TooManyPoints, OutOfMemory.
    */
   static vtkSmartPointer<vtkPointSet> PointsOf(vtkDataObject* data, const std::string& ofWhat);
+
+  /**
+   * Ask for all of an input, whatever part of an output is asked for. Null: there is none.
+   */
+  static void RequestAll(vtkInformation* input);
 
   /**
    * Become the points of these data sets. Returns how many these have, with ghosts.

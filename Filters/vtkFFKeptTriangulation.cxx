@@ -31,8 +31,11 @@ flipflop::Buffer<To> copyOf(const flipflop::Buffer<From>& from)
   return to;
 }
 
-/// What the triangulation of the input depends on.
-vtkFFStamp stampOf(vtkFFPlanarAlgorithm* filter, const vtkFFPlanarInput& input)
+}
+
+//------------------------------------------------------------------------------
+vtkFFStamp vtkFFKeptTriangulation::StampOf(
+  vtkFFPlanarAlgorithm* filter, const vtkFFPlanarInput& input)
 {
   vtkFFStamp stamp(filter, input.GetData());
   if (filter->GetProjectionPlaneMode() == vtkFFPlanarAlgorithm::TRANSFORM_PLANE)
@@ -48,6 +51,10 @@ vtkFFStamp stampOf(vtkFFPlanarAlgorithm* filter, const vtkFFPlanarInput& input)
   return stamp;
 }
 
+//------------------------------------------------------------------------------
+bool vtkFFKeptTriangulation::Keeps(vtkFFPlanarAlgorithm* filter, const vtkFFRun& run)
+{
+  return !run.IsInComposite() && !filter->GetReleaseDataFlag();
 }
 
 //------------------------------------------------------------------------------
@@ -55,8 +62,8 @@ flipflop::Triangulation vtkFFKeptTriangulation::Triangulate(vtkFFPlanarAlgorithm
   const vtkFFPlanarInput& input, vtkFFRun& run, std::shared_ptr<vtkFFKeptTriangulation>& kept)
 {
   const flipflop::FacetMode facets = run.Options.facets;
-  const bool keeps = !run.IsInComposite() && !filter->GetReleaseDataFlag();
-  const vtkFFStamp stamp = keeps ? stampOf(filter, input) : vtkFFStamp();
+  const bool keeps = Keeps(filter, run);
+  const vtkFFStamp stamp = keeps ? StampOf(filter, input) : vtkFFStamp();
   if (kept && kept->IsOf(stamp, facets))
   {
     run.Report = kept->Report;

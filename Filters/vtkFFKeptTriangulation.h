@@ -41,6 +41,14 @@ public:
   static flipflop::Triangulation Triangulate(vtkFFPlanarAlgorithm* filter,
     const vtkFFPlanarInput& input, vtkFFRun& run, std::shared_ptr<vtkFFKeptTriangulation>& kept);
 
+  //@{
+  /**
+   * What the triangulation of the input depends on; whether the filter is to keep it.
+   */
+  static vtkFFStamp StampOf(vtkFFPlanarAlgorithm* filter, const vtkFFPlanarInput& input);
+  static bool Keeps(vtkFFPlanarAlgorithm* filter, const vtkFFRun& run);
+  //@}
+
 private:
   vtkFFKeptTriangulation(const flipflop::Triangulation& triangulation, const vtkFFStamp& stamp,
     flipflop::FacetMode facets, const flipflop::EngineReport& report);

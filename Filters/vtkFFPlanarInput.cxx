@@ -27,6 +27,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -92,6 +93,29 @@ void vtkFFPlanarInput::SetWeights(vtkDataArray* array)
   this->Weights.emplace(array,
     flipflop::WeightRule{ this->Filter->GetWeightMode() == vtkFFPlanarAlgorithm::RADII,
       this->Filter->GetWeightFactor() });
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPlanarInput::CheckUnweighted() const
+{
+  if (this->GetWeights().data)
+  {
+    throw vtkFFBadSetting("Constraints take no weights. Choose no weights' array.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPlanarInput::CheckBox(const double* box, const char* what)
+{
+  const bool isBox = std::all_of(box, box + 4, [](double x) { return std::isfinite(x); }) &&
+    box[0] < box[1] && box[2] < box[3];
+  if (!isBox)
+  {
+    std::ostringstream message;
+    message << what << " has no inside or is not finite: it is (xmin, xmax, ymin, ymax) = ("
+            << box[0] << ", " << box[1] << ", " << box[2] << ", " << box[3] << ").";
+    throw vtkFFBadSetting(message.str());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -276,7 +300,7 @@ void vtkFFPlanarInput::WriteTriangulation(
 //------------------------------------------------------------------------------
 void vtkFFPlanarInput::Report(const flipflop::CellComplex& cells,
   std::optional<std::int64_t> hidden, std::optional<std::int64_t> dropped,
-  vtkPolyData* output) const
+  vtkDataObject* output) const
 {
   this->Run.AddToReport(cells, output);
   this->Filter->NumberOfHiddenPoints += static_cast<vtkIdType>(hidden.value_or(0));

@@ -75,6 +75,15 @@ public:
 
   //@{
   /**
+   * @throw vtkFFBadSetting for weights that constraints do not take; for a box, (xmin, xmax, ymin,
+   *        ymax), that has no inside or is not finite, with what it is: "The image's box"
+   */
+  void CheckUnweighted() const;
+  static void CheckBox(const double* box, const char* what);
+  //@}
+
+  //@{
+  /**
    * What Take() took, and the array of weights in it; null if there is none.
    */
   vtkDataObject* GetData() const { return this->Data; }
@@ -111,6 +120,7 @@ public:
    * the lowest point that is in a triangulation or hidden.
    */
   bool IsXYPlane() const { return !this->Fitted && !this->Transform; }
+  const std::optional<flipflop::FittedPlane>& GetFittedPlane() const { return this->Fitted; }
   void SetHeight(double z) { this->Height = z; }
   void SetHeight(const flipflop::Triangulation& triangulation);
   //@}
@@ -155,7 +165,7 @@ public:
    * how many of its cells were excluded; none of a number that the filter does not report.
    */
   void Report(const flipflop::CellComplex& cells, std::optional<std::int64_t> hidden,
-    std::optional<std::int64_t> dropped, vtkPolyData* output) const;
+    std::optional<std::int64_t> dropped, vtkDataObject* output) const;
 
   /**
    * Points become an output with a vertex for each.

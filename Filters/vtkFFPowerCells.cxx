@@ -16,25 +16,16 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <sstream>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 void vtkFFPowerCells::CheckBox(vtkFFPowerDiagramFilter* filter)
 {
-  const double* box = filter->GetPowerDiagramBounds();
-  const bool isBox = std::all_of(box, box + 4, [](double x) { return std::isfinite(x); }) &&
-    box[0] < box[1] && box[2] < box[3];
-  if (filter->GetPowerDiagramBoxMode() == vtkFFPowerDiagramFilter::BOX_OF_BOUNDS && !isBox)
+  if (filter->GetPowerDiagramBoxMode() == vtkFFPowerDiagramFilter::BOX_OF_BOUNDS)
   {
-    std::ostringstream message;
-    message << "The power diagram's box has no inside or is not finite: it is (xmin, xmax, ymin, "
-               "ymax) = ("
-            << box[0] << ", " << box[1] << ", " << box[2] << ", " << box[3] << ").";
-    throw vtkFFBadSetting(message.str());
+    vtkFFPlanarInput::CheckBox(filter->GetPowerDiagramBounds(), "The power diagram's box");
   }
 }
 

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFQueryAlgorithm.h"
 
+#include "vtkFFInput.h"
+
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
@@ -58,19 +59,7 @@ int vtkFFQueryAlgorithm::RequestDataObject(
 int vtkFFQueryAlgorithm::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  // All of the second input, whatever part of the first one is asked for.
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  if (vtkInformation* const second = inputVector[1]->GetInformationObject(0))
-  {
-    second->Remove(Pipeline::UPDATE_EXTENT());
-    if (second->Has(Pipeline::WHOLE_EXTENT()))
-    {
-      second->Set(Pipeline::UPDATE_EXTENT(), second->Get(Pipeline::WHOLE_EXTENT()), 6);
-    }
-    second->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-    second->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-    second->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  }
+  vtkFFInput::RequestAll(inputVector[1]->GetInformationObject(0));
   return 1;
 }
 

@@ -16,13 +16,13 @@
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
 #include "vtkInformationVector.h"
-#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <cstring>
 #include <exception>
 #include <iterator>
@@ -363,6 +363,19 @@ std::string vtkFFRun::OfWhat() const
 }
 
 //------------------------------------------------------------------------------
+void vtkFFRun::UseCPU(const char* reason)
+{
+  if (this->Engine.choice == flipflop::EngineChoice::CUDA)
+  {
+    throw vtkFFBadSetting(std::string("The CUDA engine was asked for, but ") + reason +
+      ". Set Engine to Automatic or CPU.");
+  }
+  this->Report.used = flipflop::EngineChoice::CPU;
+  std::snprintf(this->Report.reason, sizeof(this->Report.reason), "%s",
+    this->Engine.choice == flipflop::EngineChoice::CPU ? "the CPU engine was asked for" : reason);
+}
+
+//------------------------------------------------------------------------------
 void vtkFFRun::SetPart(double begin, double end)
 {
   this->Part[0] = begin;
@@ -419,7 +432,7 @@ void vtkFFRun::NoteAbort()
 }
 
 //------------------------------------------------------------------------------
-void vtkFFRun::AddToReport(const flipflop::CellComplex& cells, vtkPolyData* output)
+void vtkFFRun::AddToReport(const flipflop::CellComplex& cells, vtkDataObject* output)
 {
   vtkFFAlgorithm* const filter = this->Reporter;
   const flipflop::Statistics& statistics = cells.statistics;

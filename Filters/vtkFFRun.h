@@ -43,10 +43,10 @@ struct CellComplex;
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
+class vtkDataObject;
 class vtkFFAlgorithm;
 class vtkFFQueryAlgorithm;
 class vtkInformationVector;
-class vtkPolyData;
 
 /**
  * Why a run gave no result: apart from the error that users see, so that several processes can
@@ -189,6 +189,13 @@ public:
   const char* NonFiniteReach = "in all";
 
   /**
+   * The work is the CPU engine's, for this reason: "constraints are the CPU's".
+   *
+   * @throw vtkFFBadSetting if the CUDA engine was asked for.
+   */
+  void UseCPU(const char* reason);
+
+  /**
    * Where the progress of the next work lies within the whole.
    */
   void SetPart(double begin, double end);
@@ -215,7 +222,7 @@ public:
    * Add a result to what the filter reports of its last run; and to the output's field data, if
    * that was asked for.
    */
-  void AddToReport(const flipflop::CellComplex& cells, vtkPolyData* output);
+  void AddToReport(const flipflop::CellComplex& cells, vtkDataObject* output);
 
   /**
    * The end of RequestData(): a failure becomes the one error, unless it is an abort, and empties

@@ -8,7 +8,6 @@
 #include "vtkFFRun.h"
 #include "vtkFFWeightSource.h"
 
-#include <flipflop/Error.h>
 #include <flipflop/TerrainMesh.h>
 
 #include "vtkDataSet.h"
@@ -26,7 +25,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <numeric>
 #include <optional>
 #include <sstream>
@@ -45,22 +43,16 @@ flipflop::TerrainMesh meshOf(const vtkFFInput& input, const vtkFFWeightSource& h
   const std::optional<vtkFFConstraints>& constraints, const flipflop::TerrainMeshOptions& terrain,
   const vtkFFRun& run)
 {
-  try
+  flipflop::TerrainMesh mesh;
+  const auto work = [&]
   {
     const auto view = constraints ? constraints->GetView() : flipflop::ConstraintView();
     // Of polygons the sides alone.
-    return flipflop::terrainMesh(input.GetView(), heights.GetView(),
+    mesh = flipflop::terrainMesh(input.GetView(), heights.GetView(),
       flipflop::ConstraintView(view.ends, view.count), terrain, run.Options);
-  }
-  catch (const flipflop::Error& error)
-  {
-    const std::string text = constraints ? constraints->Describe(error, run) : std::string();
-    if (text.empty())
-    {
-      throw;
-    }
-    throw vtkFFBadConstraint(text);
-  }
+  };
+  vtkFFConstraints::Do(constraints, run, work);
+  return mesh;
 }
 
 /// Cells become an output, with their points and these points' data.
@@ -151,28 +143,17 @@ int vtkFFTerrainMeshFilter::RequestData(
   vtkPolyData* const source = vtkPolyData::GetData(inputVector[1]);
   vtkFFRun run(this, "Terrain mesh", outputVector);
   run.NonFiniteWhat = "A coordinate or a height";
-  run.Report.used = flipflop::EngineChoice::CPU;
-  std::snprintf(run.Report.reason, sizeof(run.Report.reason), "%s",
-    this->Engine == ENGINE_CPU ? "the CPU engine was asked for" : "terrain meshes are the CPU's");
   run.Do(
     [&]
     {
-      if (this->Engine == ENGINE_CUDA)
-      {
-        throw vtkFFBadSetting("The CUDA engine was asked for, but terrain meshes are the CPU's. "
-                              "Set Engine to Automatic or CPU.");
-      }
+      run.UseCPU("terrain meshes are the CPU's");
       if (!(this->Tolerance >= 0.0))
       {
         std::ostringstream message;
         message << "Tolerance is " << this->Tolerance << "; it must be 0 or more.";
         throw vtkFFBadSetting(message.str());
       }
-      if (source && run.IsInComposite())
-      {
-        throw vtkFFBadSetting("The source's lines are for one data set, and an input is a "
-                              "composite. Take one data set, merge them, or take the source away.");
-      }
+      vtkFFConstraints::CheckSource(source, run);
       const auto heightsOf = [&](vtkDataSet* points)
       { return vtkFFWeightSource::FindArray(this, points, run.OfWhat(), "input", "height"); };
       auto* const points = vtkDataSet::SafeDownCast(data);

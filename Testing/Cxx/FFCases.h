@@ -10,6 +10,7 @@
 #include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFConvexifyFilter.h"
 #include "vtkFFHullFilter.h"
+#include "vtkFFPointsToImage.h"
 #include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkFFTerrainMeshFilter.h"
@@ -32,6 +33,7 @@ struct FilterCase
   std::vector<std::string> Steps;
   std::vector<std::string> Settings; ///< that it prints, besides those of vtkFFAlgorithm
   std::vector<std::string> Report;   ///< arrays of field data, besides those of vtkFFAlgorithm
+  bool MakesImage = false;           ///< or poly data, of points with ids
 };
 
 template <class FilterT>
@@ -52,6 +54,14 @@ inline vtkSmartPointer<vtkFFAlgorithm> makeHullOfAllBlocks()
 {
   auto filter = vtkSmartPointer<vtkFFHullFilter>::New();
   filter->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
+  return filter;
+}
+
+inline vtkSmartPointer<vtkFFAlgorithm> makeFilterOfImages()
+{
+  auto filter = vtkSmartPointer<vtkFFPointsToImage>::New();
+  filter->SetDimensions(12, 9);
+  useWeights(filter);
   return filter;
 }
 
@@ -98,6 +108,12 @@ inline std::vector<FilterCase> filterCases()
       { "Tolerance", "MaximumNumberOfVertices", "GreatestError", "NumberOfPointsBeyond",
         "NumberOfUnreachablePoints" },
       { "FlipFlopGreatestError", "FlipFlopPointsBeyond", "FlipFlopUnreachablePoints" } },
+    { makeFilterOfImages, false, true, "Image of points",
+      { "Image of points: scanning", "Image of points: finishing" },
+      withPlanar({ "SizeMode", "Dimensions", "Spacing", "UseInputBounds", "SamplingBounds",
+        "InterpolationMode", "NullPointsStrategy", "NullValue", "ValidPointsMaskArrayName",
+        "InterpolateZ", "ZArrayName", "NumberOfHiddenPoints", "NumberOfDroppedCells" }),
+      { "FlipFlopHiddenPoints" }, true },
   };
 }
 

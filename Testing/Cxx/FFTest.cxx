@@ -540,9 +540,10 @@ double reported(vtkDataObject* output, const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-bool isEmpty(vtkPolyData* output)
+bool isEmpty(vtkDataObject* output)
 {
-  return output && output->GetNumberOfPoints() == 0 && output->GetNumberOfCells() == 0;
+  return output && output->GetNumberOfElements(vtkDataObject::POINT) == 0 &&
+    output->GetNumberOfElements(vtkDataObject::CELL) == 0;
 }
 
 //------------------------------------------------------------------------------
@@ -553,7 +554,7 @@ std::string printedReport(vtkFFAlgorithm* filter)
   std::string report;
   for (std::string line; std::getline(lines, line);)
   {
-    for (const char* name : { "EngineUsed", "EngineReason", "Dimension", "Volume", "Area",
+    for (const char* name : { "EngineUsed", "EngineReason", "Dimension:", "Volume", "Area",
            "NumberOfInput", "NumberOfHidden", "NumberOfDropped", "NumberOfSplit" })
     {
       report += line.find(name) == 2 ? line + "\n" : std::string();
@@ -568,8 +569,7 @@ bool hasForgotten(vtkFFAlgorithm* filter)
   for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
   {
     vtkDataObject* output = filter->GetOutputDataObject(port);
-    if (!output || output->GetNumberOfElements(vtkDataObject::POINT) != 0 ||
-      output->GetNumberOfElements(vtkDataObject::CELL) != 0)
+    if (!isEmpty(output))
     {
       std::cerr << "output " << port << " is missing or not empty\n";
       return false;

@@ -165,7 +165,7 @@ bool isIdentical(vtkDataObject* found, vtkDataObject* expected, const std::strin
 double reported(vtkDataObject* output, const std::string& name);
 
 /// Whether there are neither points nor cells.
-bool isEmpty(vtkPolyData* output);
+bool isEmpty(vtkDataObject* output);
 
 /// Whether the filter's outputs are empty, and all that it prints of a run is as before any, but
 /// for points that are not finite.

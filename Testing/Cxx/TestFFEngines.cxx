@@ -57,8 +57,9 @@ void testChoice(vtkFFAlgorithm* filter)
   check(filter, cpu);
   filter->SetEngine(vtkFFAlgorithm::ENGINE_CPU);
   check(filter, cpu, "asked for");
-  vtkNew<vtkPolyData> reference;
-  reference->DeepCopy(filter->GetOutput());
+  vtkSmartPointer<vtkDataObject> reference;
+  reference.TakeReference(filter->GetOutputDataObject(0)->NewInstance());
+  reference->DeepCopy(filter->GetOutputDataObject(0));
   filter->SetEngine(vtkFFAlgorithm::ENGINE_AUTOMATIC);
   for (const vtkIdType threshold : { 3001, 3000, 0 })
   {
@@ -68,13 +69,13 @@ void testChoice(vtkFFAlgorithm* filter)
       isCuda                ? vtkFFAlgorithm::GetCUDADeviceName()
         : threshold <= 3000 ? vtkFFAlgorithm::GetCUDAProblem()
                             : "");
-    FF_CHECK(isIdentical(filter->GetOutput(), reference, "automatic"));
+    FF_CHECK(isIdentical(filter->GetOutputDataObject(0), reference, "automatic"));
   }
   filter->SetEngine(vtkFFAlgorithm::ENGINE_CUDA);
   if (available)
   {
     check(filter, cuda, vtkFFAlgorithm::GetCUDADeviceName());
-    FF_CHECK(isIdentical(filter->GetOutput(), reference, "CUDA"));
+    FF_CHECK(isIdentical(filter->GetOutputDataObject(0), reference, "CUDA"));
   }
   else
   {

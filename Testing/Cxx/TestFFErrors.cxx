@@ -49,7 +49,7 @@ void testNonFinite(const FilterCase& of, int type)
       FF_CHECK(succeeds(filter));
       FF_CHECK_EQUAL(filter->GetNumberOfNonFinitePoints(), 3);
       FF_CHECK_EQUAL(filter->GetNumberOfInputPoints(), 1000);
-      FF_CHECK(filter->GetOutput()->GetNumberOfPolys() > 50);
+      FF_CHECK(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL) > 50);
       auto* const hull = vtkFFHullFilter::SafeDownCast(filter);
       FF_CHECK(!hull || isHullOf(input, hull->GetOutput(), 3));
     }
@@ -57,7 +57,7 @@ void testNonFinite(const FilterCase& of, int type)
   filter->SetInputDataObject(
     makeWeighted({ { notANumber, 0, 0 }, { 0, infinity, 0 }, { 0, 0, notANumber } }, { 0, 0, 0 }));
   FF_CHECK(succeeds(filter));
-  FF_CHECK(isEmpty(filter->GetOutput()));
+  FF_CHECK(isEmpty(filter->GetOutputDataObject(0)));
   FF_CHECK_EQUAL(filter->GetDimension(), -1);
   FF_CHECK_EQUAL(filter->GetNumberOfNonFinitePoints(), 3);
 }

@@ -58,7 +58,7 @@ void testFilter(const FilterCase& of)
   FF_CHECK(filter->GetSkipGhostPoints());
   filter->SetInputDataObject(makeAmidGhosts());
   FF_CHECK(succeeds(filter));
-  FF_CHECK(idsOf(filter) == (Ids{ 1, 3, 4, 6 }));
+  FF_CHECK(of.MakesImage || idsOf(filter) == (Ids{ 1, 3, 4, 6 }));
   FF_CHECK_EQUAL(filter->GetNumberOfInputPoints(), vtkIdType(4));
   FF_CHECK_EQUAL(filter->GetNumberOfNonFinitePoints(), vtkIdType(0));
 
@@ -99,7 +99,7 @@ void testFilter(const FilterCase& of)
   markPoints(data, { hidden });
   filter->SetInputDataObject(data);
   FF_CHECK(succeeds(filter));
-  FF_CHECK(isEmpty(filter->GetOutput()));
+  FF_CHECK(isEmpty(filter->GetOutputDataObject(0)));
   FF_CHECK_EQUAL(filter->GetDimension(), -1);
 
   // Not a mark for each point.

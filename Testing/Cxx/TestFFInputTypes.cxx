@@ -61,18 +61,20 @@ void checkPoints(vtkDataSet* data, int type, const std::string& what)
     filter->SetInputDataObject(same);
     FF_CHECK(succeeds(filter));
     FF_CHECK(filter->GetNumberOfInputPoints() > 0);
-    std::vector<vtkSmartPointer<vtkPolyData>> expected;
+    std::vector<vtkSmartPointer<vtkDataObject>> expected;
     for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
     {
-      expected.push_back(vtkSmartPointer<vtkPolyData>::New());
-      expected.back()->ShallowCopy(filter->GetOutput(port));
+      expected.emplace_back();
+      expected.back().TakeReference(filter->GetOutputDataObject(port)->NewInstance());
+      expected.back()->ShallowCopy(filter->GetOutputDataObject(port));
     }
     filter->SetInputDataObject(given);
     FF_CHECK(succeeds(filter));
     for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
     {
-      FF_CHECK(isIdentical(filter->GetOutput(port), expected[static_cast<std::size_t>(port)],
-        what + ", " + filter->GetClassName() + ", port " + std::to_string(port)));
+      FF_CHECK(
+        isIdentical(filter->GetOutputDataObject(port), expected[static_cast<std::size_t>(port)],
+          what + ", " + filter->GetClassName() + ", port " + std::to_string(port)));
     }
   };
   for (const FilterCase& of : casesOfPoints())
@@ -117,7 +119,7 @@ void testImages()
     filter->SetInputDataObject(vtkSmartPointer<vtkImageData>::New());
     FF_CHECK(succeeds(filter));
     FF_CHECK_EQUAL(filter->GetDimension(), -1);
-    FF_CHECK(isEmpty(filter->GetOutput()));
+    FF_CHECK(isEmpty(filter->GetOutputDataObject(0)));
   }
 }
 

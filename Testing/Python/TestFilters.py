@@ -16,6 +16,7 @@ from vtkflipflop import (
     vtkFFConvexifyFilter,
     vtkFFHullFilter,
     vtkFFPointInterpolator2D,
+    vtkFFPointsToImage,
     vtkFFPowerDiagramFilter,
     vtkFFRegularTriangulationFilter,
     vtkFFSelectEnclosedPoints,
@@ -243,6 +244,21 @@ class TestQueries(unittest.TestCase):
         found.Update()
         self.assertTrue(found.GetOutput().GetPointData().HasArray("z"))
         self.assertFalse(found.GetOutput().GetPointData().HasArray("values"))
+
+    def test_points_to_image(self):
+        source = poly_data(RANDOM.uniform(-1, 1, (1000, 3)), values=RANDOM.uniform(-1, 1, (1000, 2)))
+        made = run(vtkFFPointsToImage, source, SizeMode=vtkFFPointsToImage.SIZE_BY_SPACING, Spacing=(0.07, 0.03))
+        image = made.GetOutput()
+        self.assertTrue(image.IsA("vtkImageData"))
+        self.assertEqual(image.GetSpacing(), (0.07, 0.03, 1.0))
+        points = run(vtkFFPointInterpolator2D, image, SourceData=source, NullValue=float("nan")).GetOutput()
+        for name in ("values", "Elevation"):
+            self.assertTrue(np.array_equal(array(image, name), array(points, name), equal_nan=True))
+        self.assertTrue(np.isnan(array(image, "values")).any())
+        made.SetDimensions(5, 7)
+        made.SetSizeMode(vtkFFPointsToImage.SIZE_BY_DIMENSIONS)
+        made.Update()
+        self.assertEqual(made.GetOutput().GetDimensions(), (5, 7, 1))
 
 
 class TestPackage(unittest.TestCase):

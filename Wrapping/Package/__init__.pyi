@@ -9,6 +9,7 @@ from .vtkFiltersFlipFlop import vtkFFHullAlgorithm as vtkFFHullAlgorithm
 from .vtkFiltersFlipFlop import vtkFFHullFilter as vtkFFHullFilter
 from .vtkFiltersFlipFlop import vtkFFPlanarAlgorithm as vtkFFPlanarAlgorithm
 from .vtkFiltersFlipFlop import vtkFFPointInterpolator2D as vtkFFPointInterpolator2D
+from .vtkFiltersFlipFlop import vtkFFPointsToImage as vtkFFPointsToImage
 from .vtkFiltersFlipFlop import vtkFFPowerDiagramFilter as vtkFFPowerDiagramFilter
 from .vtkFiltersFlipFlop import vtkFFQueryAlgorithm as vtkFFQueryAlgorithm
 from .vtkFiltersFlipFlop import vtkFFRegularTriangulationFilter as vtkFFRegularTriangulationFilter

@@ -1,0 +1,494 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFFPointsToImage.h"
+
+#include "vtkFFConstraints.h"
+#include "vtkFFInput.h"
+#include "vtkFFInterpolatedData.h"
+#include "vtkFFKeptTriangulation.h"
+#include "vtkFFPlanarInput.h"
+#include "vtkFFPointInterpolator2D.h"
+#include "vtkFFRun.h"
+#include "vtkFFStamp.h"
+
+#include <flipflop/Buffer.h>
+#include <flipflop/CellComplex.h>
+#include <flipflop/ConstrainedTriangulation.h>
+#include <flipflop/PlaneFit.h>
+#include <flipflop/PowerDiagram.h>
+#include <flipflop/TriangulationQueries.h>
+
+#include "vtkDataSet.h"
+#include "vtkExecutive.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkFFPointsToImage);
+
+namespace
+{
+
+/// Of the progress of a run that prepares its points: until the triangulation is there, and until
+/// all is.
+constexpr double shareOfTriangulation = 0.2;
+constexpr double shareOfPreparing = 0.4;
+
+using Box = std::array<double, 4>; // of least x, greatest x, least y, greatest y
+
+template <class T>
+std::string pairOf(const T* numbers)
+{
+  std::ostringstream text;
+  text << "(" << numbers[0] << ", " << numbers[1] << ")";
+  return text.str();
+}
+
+/// Settings that no data make right.
+void checkSettings(vtkFFPointsToImage* filter, bool hasSource)
+{
+  const int* const size = filter->GetDimensions();
+  const double* const spacing = filter->GetSpacing();
+  const bool isBySpacing = filter->GetSizeMode() == vtkFFPointsToImage::SIZE_BY_SPACING;
+  if (!isBySpacing && (size[0] < 1 || size[1] < 1))
+  {
+    throw vtkFFBadSetting("Dimensions are " + pairOf(size) + "; each must be 1 or more.");
+  }
+  const auto isLength = [](double length) { return std::isfinite(length) && length > 0.0; };
+  if (isBySpacing && !(isLength(spacing[0]) && isLength(spacing[1])))
+  {
+    throw vtkFFBadSetting("Spacing is " + pairOf(spacing) + "; it must be above 0 and finite.");
+  }
+  if (!filter->GetUseInputBounds())
+  {
+    vtkFFPlanarInput::CheckBox(filter->GetSamplingBounds(), "The image's box");
+  }
+  if (hasSource &&
+    (filter->GetInterpolationMode() == vtkFFPointsToImage::NATURAL_NEIGHBOR ||
+      filter->GetNullPointsStrategy() == vtkFFPointsToImage::CLOSEST_POINT))
+  {
+    throw vtkFFBadSetting("Natural neighbours and closest points do not know breaklines. Choose "
+                          "another, or take the source away.");
+  }
+}
+
+/// The pixels that cover a box, as the filter says.
+flipflop::ImageGrid gridOf(vtkFFPointsToImage* filter, const Box& box)
+{
+  flipflop::ImageGrid grid;
+  for (int k = 0; k < 2; ++k)
+  {
+    const double length = box[2 * k + 1] - box[2 * k];
+    double& step = grid.spacing[k];
+    if (filter->GetSizeMode() == vtkFFPointsToImage::SIZE_BY_DIMENSIONS)
+    {
+      grid.size[k] = filter->GetDimensions()[k];
+      step = length / static_cast<double>(grid.size[k]);
+    }
+    else
+    {
+      step = filter->GetSpacing()[k];
+      const double count = std::ceil(length / step - 1e-6);
+      if (!(count <= VTK_INT_MAX))
+      {
+        std::ostringstream message;
+        message << "A Spacing of " << step << " makes too many pixels of a length of " << length
+                << ".";
+        throw vtkFFBadSetting(message.str());
+      }
+      grid.size[k] = std::max<std::int64_t>(1, static_cast<std::int64_t>(count));
+    }
+    if (!std::isfinite(step) || !(step > 0.0))
+    {
+      std::ostringstream message;
+      message << "A length of " << length << " cannot be divided into " << grid.size[k]
+              << " pixels.";
+      throw vtkFFBadSetting(message.str());
+    }
+  }
+  // Of whole pixels, the first row of an image is the lowest one; they begin at the top.
+  grid.origin[0] = box[0] + grid.spacing[0] / 2.0;
+  grid.origin[1] =
+    box[3] - grid.spacing[1] / 2.0 - static_cast<double>(grid.size[1] - 1) * grid.spacing[1];
+  return grid;
+}
+
+std::array<int, 6> extentOf(std::int64_t columns, std::int64_t rows)
+{
+  return { { 0, static_cast<int>(columns) - 1, 0, static_cast<int>(rows) - 1, 0, 0 } };
+}
+
+/// Where the image of a plane is in space.
+void setGeometry(const flipflop::ImageGrid& grid, const std::optional<flipflop::FittedPlane>& plane,
+  vtkImageData* image)
+{
+  image->SetExtent(extentOf(grid.size[0], grid.size[1]).data());
+  image->SetSpacing(grid.spacing[0], grid.spacing[1], 1.0);
+  image->SetOrigin(grid.origin[0], grid.origin[1], 0.0);
+  const std::array<double, 3> x = plane ? plane->first : std::array<double, 3>{ { 1, 0, 0 } };
+  const std::array<double, 3> y = plane ? plane->second : std::array<double, 3>{ { 0, 1, 0 } };
+  double z[3];
+  vtkMath::Cross(x.data(), y.data(), z);
+  image->SetDirectionMatrix(x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]);
+  if (plane)
+  {
+    image->SetOrigin(flipflop::positionOf(*plane, grid.origin[0], grid.origin[1]).data());
+  }
+}
+
+}
+
+/// Points that are triangulated and ready for queries, with their values.
+struct vtkFFPreparedPoints
+{
+  vtkFFStamp Stamp;            // of the triangulation
+  std::optional<Box> Bounds{}; // none: there is no point
+  std::int64_t Hidden = 0;
+  flipflop::CellComplex Report{}; // what is reported of the triangulation
+  flipflop::EngineReport Engine{};
+  std::optional<vtkFFInterpolatedData> Data{};
+  vtkFFStamp ValueStamp{}; // how values are chosen
+};
+
+namespace
+{
+
+/// The rest, once the queries are there.
+std::unique_ptr<vtkFFPreparedPoints> prepared(const vtkFFPlanarInput& input,
+  const flipflop::Triangulation& triangulation, flipflop::TriangulationQueries&& queries,
+  const vtkFFRun& run)
+{
+  auto points = std::make_unique<vtkFFPreparedPoints>();
+  if (triangulation.dimension >= 0)
+  {
+    points->Bounds = flipflop::powerDiagramBox(input.GetPlane(), triangulation);
+  }
+  points->Hidden = static_cast<std::int64_t>(triangulation.hiddenIds.size());
+  points->Report.dimension = triangulation.dimension;
+  points->Report.statistics = triangulation.statistics;
+  points->Engine = run.Report;
+  points->Data.emplace(std::move(queries));
+  return points;
+}
+
+std::unique_ptr<vtkFFPreparedPoints> triangulate(const vtkFFPlanarInput& input, vtkFFRun& run)
+{
+  const flipflop::Triangulation triangulation = flipflop::regularTriangulation(
+    input.GetPlane(), input.GetWeights(), run.Options, run.Engine, run.Report);
+  input.LookForVerticalPlane(triangulation);
+  run.SetPart(shareOfTriangulation, shareOfPreparing);
+  return prepared(input, triangulation,
+    flipflop::TriangulationQueries(
+      input.GetPlane(), input.GetWeights(), triangulation, run.Options),
+    run);
+}
+
+/// The same with breaklines.
+std::unique_ptr<vtkFFPreparedPoints> triangulate(
+  const vtkFFPlanarInput& input, vtkPolyData* source, vtkFFRun& run)
+{
+  run.UseCPU("constraints are the CPU's");
+  input.CheckUnweighted();
+  const std::optional<vtkFFConstraints> constraints(std::in_place, source,
+    vtkDataSet::SafeDownCast(input.GetData()), run.Ids, input.IsXYPlane() ? 2 : 3);
+  flipflop::ConstrainedTriangulation triangulation;
+  flipflop::Buffer<std::uint8_t> inside;
+  const auto work = [&]
+  {
+    const flipflop::ConstraintView view = constraints->GetView();
+    triangulation = flipflop::constrainedTriangulation(input.GetPlane(), view, run.Options);
+    if (view.sides > 0)
+    {
+      inside.allocate(static_cast<std::size_t>(triangulation.cellCount()));
+      flipflop::cellsInside(triangulation, inside.data(), run.Options);
+    }
+  };
+  vtkFFConstraints::Do(constraints, run, work);
+  input.LookForVerticalPlane(triangulation);
+  run.SetPart(shareOfTriangulation, shareOfPreparing);
+  return prepared(input, triangulation,
+    flipflop::TriangulationQueries(input.GetPlane(), triangulation, inside.data(), run.Options),
+    run);
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkFFPointsToImage::vtkFFPointsToImage()
+  : NullValue(vtkMath::Nan())
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkFFPointsToImage::~vtkFFPointsToImage() = default;
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkFFPointsToImage::GetOutput()
+{
+  return this->GetOutput(0);
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkFFPointsToImage::GetOutput(int port)
+{
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(port));
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPointsToImage::SetSourceData(vtkPolyData* source)
+{
+  this->SetInputData(1, source);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPointsToImage::SetSourceConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkFFPointsToImage::GetSource()
+{
+  return this->GetNumberOfInputConnections(1) > 0
+    ? vtkPolyData::SafeDownCast(this->GetExecutive()->GetInputData(1, 0))
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+template <class T>
+void vtkFFPointsToImage::ChangeNumbers(T* setting, const T* values, int count)
+{
+  if (!std::equal(values, values + count, setting))
+  {
+    std::copy_n(values, count, setting);
+    this->OutputModified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPointsToImage::SetDimensions(int columns, int rows)
+{
+  const int dimensions[] = { columns, rows };
+  this->ChangeNumbers(this->Dimensions, dimensions, 2);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPointsToImage::SetDimensions(const int dimensions[2])
+{
+  this->SetDimensions(dimensions[0], dimensions[1]);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPointsToImage::SetSpacing(double x, double y)
+{
+  const double spacing[] = { x, y };
+  this->ChangeNumbers(this->Spacing, spacing, 2);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPointsToImage::SetSpacing(const double spacing[2])
+{
+  this->SetSpacing(spacing[0], spacing[1]);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPointsToImage::SetSamplingBounds(double xmin, double xmax, double ymin, double ymax)
+{
+  const double bounds[] = { xmin, xmax, ymin, ymax };
+  this->ChangeNumbers(this->SamplingBounds, bounds, 4);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPointsToImage::SetSamplingBounds(const double bounds[4])
+{
+  this->SetSamplingBounds(bounds[0], bounds[1], bounds[2], bounds[3]);
+}
+
+//------------------------------------------------------------------------------
+int vtkFFPointsToImage::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFPointsToImage::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkImageData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFPointsToImage::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* const info = outputVector->GetInformationObject(0);
+  std::array<int, 6> extent{ { 0, -1, 0, -1, 0, -1 } };
+  try
+  {
+    checkSettings(this, false);
+    if (!this->UseInputBounds)
+    {
+      Box box;
+      std::copy_n(this->SamplingBounds, 4, box.begin());
+      const flipflop::ImageGrid grid = gridOf(this, box);
+      extent = extentOf(grid.size[0], grid.size[1]);
+      if (this->ProjectionPlaneMode != BEST_FITTING_PLANE)
+      {
+        const double origin[] = { grid.origin[0], grid.origin[1], 0.0 };
+        const double spacing[] = { grid.spacing[0], grid.spacing[1], 1.0 };
+        info->Set(vtkDataObject::ORIGIN(), origin, 3);
+        info->Set(vtkDataObject::SPACING(), spacing, 3);
+      }
+    }
+    else if (this->SizeMode == SIZE_BY_DIMENSIONS)
+    {
+      extent = extentOf(this->Dimensions[0], this->Dimensions[1]);
+    }
+  }
+  catch (const vtkFFBadSetting&)
+  {
+    // RequestData() says so.
+  }
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent.data(), 6);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFPointsToImage::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    vtkFFInput::RequestAll(inputVector[port]->GetInformationObject(0));
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+double vtkFFPointsToImage::Prepare(vtkFFPlanarInput& input, vtkPolyData* source, vtkFFRun& run)
+{
+  vtkFFStamp stamp; // equals none
+  if (vtkFFKeptTriangulation::Keeps(this, run))
+  {
+    stamp = vtkFFKeptTriangulation::StampOf(this, input);
+    stamp.Add(source);
+  }
+  vtkFFStamp valueStamp;
+  valueStamp.Add(this->PassPointData);
+  valueStamp.Add(this->InterpolateZ);
+  valueStamp.Add(this->ZArrayName);
+  const bool isTriangulated = this->Prepared && this->Prepared->Stamp == stamp;
+  if (!isTriangulated)
+  {
+    this->Prepared.reset();
+    run.SetPart(0.0, shareOfTriangulation);
+    this->Prepared = source ? triangulate(input, source, run) : triangulate(input, run);
+    this->Prepared->Stamp = stamp;
+  }
+  if (!(this->Prepared->ValueStamp == valueStamp))
+  {
+    this->Prepared->ValueStamp = vtkFFStamp();
+    vtkPointSet* const points = input.GetPoints();
+    this->Prepared->Data->SetValues(points, this->PassPointData ? points->GetPointData() : nullptr,
+      {}, this->InterpolateZ ? this->ZArrayName.c_str() : nullptr);
+    this->Prepared->ValueStamp = valueStamp;
+  }
+  run.Report = this->Prepared->Engine;
+  return isTriangulated ? 0.0 : shareOfPreparing;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFPointsToImage::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  static_assert(int(NATURAL_NEIGHBOR) == int(vtkFFPointInterpolator2D::NATURAL_NEIGHBOR) &&
+      int(CLOUGH_TOCHER) == int(vtkFFPointInterpolator2D::CLOUGH_TOCHER) &&
+      int(MASK_POINTS) == int(vtkFFPointInterpolator2D::MASK_POINTS) &&
+      int(CLOSEST_POINT) == int(vtkFFPointInterpolator2D::CLOSEST_POINT),
+    "these are the values of vtkFFInterpolatedData");
+  vtkImageData* const output = vtkImageData::GetData(outputVector);
+  vtkPolyData* const source = vtkPolyData::GetData(inputVector[1]);
+  vtkFFRun run(this, "Image of points", outputVector);
+  run.Do(
+    [&]
+    {
+      checkSettings(this, source != nullptr);
+      vtkFFConstraints::CheckSource(source, run);
+      vtkFFPlanarInput input(this, run);
+      input.Take(vtkDataObject::GetData(inputVector[0]));
+      const double progress = this->Prepare(input, source, run);
+      const vtkFFPreparedPoints& points = *this->Prepared;
+      Box box{};
+      std::copy_n(this->SamplingBounds, 4, box.begin());
+      if (this->UseInputBounds && points.Bounds)
+      {
+        box = *points.Bounds;
+      }
+      if (!this->UseInputBounds || points.Bounds)
+      {
+        const flipflop::ImageGrid grid = gridOf(this, box);
+        const vtkFFInterpolatedData::NullsType nulls{ this->NullPointsStrategy, this->NullValue,
+          this->ValidPointsMaskArrayName };
+        const auto arrays = points.Data->Interpolate(
+          points.Data->GetTargets(grid, 1, this->InterpolationMode, run), nulls, progress, run);
+        setGeometry(grid, input.GetFittedPlane(), output);
+        points.Data->AddArrays(arrays, nulls, output->GetPointData());
+      }
+      input.Report(points.Report, points.Hidden, std::nullopt, output);
+    });
+  if (run.Failure || !vtkFFKeptTriangulation::Keeps(this, run))
+  {
+    this->Prepared.reset();
+  }
+  run.Finish();
+  // Else the executive would take an image that is smaller than announced for none.
+  int extent[6];
+  output->GetExtent(extent);
+  vtkInformation* const info = outputVector->GetInformationObject(0);
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFPointsToImage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto onOff = [](bool flag) { return flag ? "On" : "Off"; };
+  os << indent << "SizeMode: " << this->SizeMode << "\n";
+  os << indent << "Dimensions: " << pairOf(this->Dimensions) << "\n";
+  os << indent << "Spacing: " << pairOf(this->Spacing) << "\n";
+  os << indent << "UseInputBounds: " << onOff(this->UseInputBounds) << "\n";
+  const double* const box = this->SamplingBounds;
+  os << indent << "SamplingBounds: (" << box[0] << ", " << box[1] << ", " << box[2] << ", "
+     << box[3] << ")\n";
+  os << indent << "InterpolationMode: " << this->InterpolationMode << "\n";
+  os << indent << "NullPointsStrategy: " << this->NullPointsStrategy << "\n";
+  os << indent << "NullValue: " << this->NullValue << "\n";
+  os << indent << "ValidPointsMaskArrayName: " << this->ValidPointsMaskArrayName << "\n";
+  os << indent << "InterpolateZ: " << onOff(this->InterpolateZ) << "\n";
+  os << indent << "ZArrayName: " << this->ZArrayName << "\n";
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFPointsToImage
+ * @brief   an image (raster) of point data, by the points' triangulation
+ *
+ * vtkFFPointsToImage makes a vtkImageData of one layer from points with point data. Between the
+ * points, values are interpolated over their Delaunay triangulation in a plane; if weights are
+ * chosen, over their regular triangulation: see vtkFFPlanarAlgorithm. Cells of the input are
+ * ignored. Which triangle a pixel is in is decided exactly. The values are those of
+ * vtkFFPointInterpolator2D at the image's points, bit for bit, for any number of threads.
+ *
+ * The image has these point arrays:
+ *
+ * - each point array of numbers of the input, if PassPointData is on:
+ *   as float if it is float, otherwise as double. Left out are
+ *   vtkGhostType, global and pedigree ids. Integers that no double
+ *   holds are rounded.
+ * - Elevation: the z of the input's points, if InterpolateZ is on and no
+ *   array has that name
+ * - vtkValidPointMask (vtkCharArray): 1 for pixels that have values, 0
+ *   for null pixels, if NullPointsStrategy is MASK_POINTS
+ *
+ * The input's active scalars, vectors, tensors and texture coordinates are active in the output.
+ *
+ * The points of the image are the centers of its pixels. With x along columns and y along rows, the
+ * image is at z = 0 for XY_PLANE, and in the transform's coordinates for TRANSFORM_PLANE. For
+ * BEST_FITTING_PLANE, it lies in that plane, by its direction matrix.
+ *
+ * A null pixel is one outside the convex hull of the points, where nothing can be interpolated. If
+ * all points are on a line, so is their hull. Without a point, the output is empty, or of bounds
+ * that are given has null pixels alone.
+ *
+ * The second input, if there is one, has breaklines as lines and polygons of the input's points:
+ * their sides are edges of the triangulation. Pixels outside the polygons, by the even-odd rule,
+ * are null. Breaklines that cross between points are an error. Both outputs of
+ * vtkFFConstrainedDelaunayFilter, which splits them and takes points of their own, are such a pair
+ * of inputs: its triangulation's points have all that is there to be interpolated.
+ *
+ * Other settings for the image do not triangulate again while the input is unchanged: the filter
+ * keeps what it prepared, about 110 bytes for each point and its values, but for composites, and if
+ * its release data flag is on. SetFacetMode(), SetVisiblePointIds() and SetGenerateCellMeasures()
+ * have no effect.
+ *
+ * The whole extent is known before the data by dimensions, and by a spacing if the bounds are
+ * given. Otherwise it is empty until the filter has run.
+ *
+ * @sa
+ * vtkFFPointInterpolator2D vtkFFPlanarAlgorithm vtkFFConstrainedDelaunayFilter vtkResampleToImage
+ */
+
+#ifndef vtkFFPointsToImage_h
+#define vtkFFPointsToImage_h
+
+#include "vtkFFMarks.h" // For VTK_MARSHALAUTO
+#include "vtkFFPlanarAlgorithm.h"
+#include "vtkFiltersFlipFlopModule.h" // For export macro
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkAlgorithmOutput;
+class vtkFFPlanarInput;
+class vtkFFRun;
+class vtkImageData;
+struct vtkFFPreparedPoints;
+
+class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPointsToImage : public vtkFFPlanarAlgorithm
+{
+public:
+  //@{
+  /**
+   * Standard methods for instantiation, type information and printing.
+   */
+  static vtkFFPointsToImage* New();
+  vtkTypeMacro(vtkFFPointsToImage, vtkFFPlanarAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  //@}
+
+  /**
+   * What the size of the image is given by.
+   */
+  enum SizeModeType
+  {
+    SIZE_BY_DIMENSIONS = 0,
+    SIZE_BY_SPACING = 1
+  };
+
+  /**
+   * How values are interpolated. The values are those of vtkFFPointInterpolator2D.
+   */
+  enum InterpolationModeType
+  {
+    LINEAR = 0,
+    NATURAL_NEIGHBOR = 1,
+    CLOUGH_TOCHER = 2
+  };
+
+  /**
+   * What to do at pixels where nothing can be interpolated. The values are those of
+   * vtkPointInterpolator.
+   */
+  enum Strategy
+  {
+    MASK_POINTS = 0,
+    NULL_VALUE = 1,
+    CLOSEST_POINT = 2
+  };
+
+  //@{
+  /**
+   * Get the output; its type is not that of the superclass.
+   */
+  vtkImageData* GetOutput();
+  vtkImageData* GetOutput(int port);
+  //@}
+
+  //@{
+  /**
+   * Set/Get the second input, on port 1: the breaklines. None by default. Their point ids are those
+   * of the input. The source has no points, or at the ids that its cells name those of the input;
+   * for XY_PLANE, z may differ. With a source, weights, the CUDA engine, NATURAL_NEIGHBOR and
+   * CLOSEST_POINT are errors.
+   */
+  void SetSourceData(vtkPolyData* source);
+  void SetSourceConnection(vtkAlgorithmOutput* output);
+  void RemoveSource() { this->SetSourceConnection(nullptr); }
+  vtkPolyData* GetSource();
+  //@}
+
+  //@{
+  /**
+   * Set/Get what the size of the image is given by.
+   *
+   * - SIZE_BY_DIMENSIONS (the default): the numbers of pixels, which
+   *   divide the bounds
+   * - SIZE_BY_SPACING: the lengths of a pixel. Pixels begin at the least
+   *   x and at the greatest y of the bounds; as many as cover these, but
+   *   for a millionth of a pixel, as rounding leaves it
+   */
+  virtual void SetSizeMode(int mode)
+  {
+    this->ChangeOutput(
+      this->SizeMode, vtkMath::ClampValue<int>(mode, SIZE_BY_DIMENSIONS, SIZE_BY_SPACING));
+  }
+  vtkGetMacro(SizeMode, int);
+  //@}
+
+  //@{
+  /**
+   * Set/Get the numbers of pixels along x and y, for SIZE_BY_DIMENSIONS. (256, 256) by default.
+   * Numbers below 1 are an error.
+   */
+  virtual void SetDimensions(int columns, int rows);
+  virtual void SetDimensions(const int dimensions[2]);
+  vtkGetVector2Macro(Dimensions, int);
+  //@}
+
+  //@{
+  /**
+   * Set/Get the lengths of a pixel along x and y, in the unit of the points' coordinates, for
+   * SIZE_BY_SPACING. (1, 1) by default. What is not finite or not above 0 is an error; so is a
+   * spacing that makes more than 2^31 - 1 pixels along an axis.
+   */
+  virtual void SetSpacing(double x, double y);
+  virtual void SetSpacing(const double spacing[2]);
+  vtkGetVector2Macro(Spacing, double);
+  //@}
+
+  //@{
+  /**
+   * Set/Get whether the image's bounds are those of the points that appear in the triangulation, in
+   * the plane. On by default. If these have no extent along x or y, the bounds have the extent of
+   * the other direction, half of it on either side. A single position gets bounds of side 1.
+   */
+  virtual void SetUseInputBounds(bool on) { this->ChangeOutput(this->UseInputBounds, on); }
+  vtkGetMacro(UseInputBounds, bool);
+  //@}
+
+  //@{
+  /**
+   * Set/Get the bounds if UseInputBounds is off, (xmin, xmax, ymin, ymax) in the plane: the outer
+   * sides of the outer pixels. (0, 1, 0, 1) by default. They must be finite and have an inside.
+   */
+  virtual void SetSamplingBounds(double xmin, double xmax, double ymin, double ymax);
+  virtual void SetSamplingBounds(const double bounds[4]);
+  vtkGetVector4Macro(SamplingBounds, double);
+  //@}
+
+  //@{
+  /**
+   * Set/Get how values are interpolated: LINEAR (the default), NATURAL_NEIGHBOR or CLOUGH_TOCHER,
+   * as vtkFFPointInterpolator2D::SetInterpolationMode() says.
+   */
+  virtual void SetInterpolationMode(int mode)
+  {
+    this->ChangeOutput(
+      this->InterpolationMode, vtkMath::ClampValue<int>(mode, LINEAR, CLOUGH_TOCHER));
+  }
+  vtkGetMacro(InterpolationMode, int);
+  //@}
+
+  //@{
+  /**
+   * Set/Get what null pixels get.
+   *
+   * - MASK_POINTS (the default): NullValue, and the mask array tells
+   *   which pixels these are
+   * - NULL_VALUE: NullValue
+   * - CLOSEST_POINT: the values of the closest point (with weights, by
+   *   power distance)
+   */
+  virtual void SetNullPointsStrategy(int mode)
+  {
+    this->ChangeOutput(
+      this->NullPointsStrategy, vtkMath::ClampValue<int>(mode, MASK_POINTS, CLOSEST_POINT));
+  }
+  vtkGetMacro(NullPointsStrategy, int);
+  //@}
+
+  //@{
+  /**
+   * Set/Get the value of all components at null pixels (NaN by default), and the name of the mask
+   * array ("vtkValidPointMask" by default).
+   */
+  virtual void SetNullValue(double value) { this->ChangeOutput(this->NullValue, value); }
+  vtkGetMacro(NullValue, double);
+  virtual void SetValidPointsMaskArrayName(std::string name)
+  {
+    this->ChangeOutput(this->ValidPointsMaskArrayName, name);
+  }
+  vtkGetMacro(ValidPointsMaskArrayName, std::string);
+  //@}
+
+  //@{
+  /**
+   * Set/Get whether the z of the input's points is interpolated, too (on by default), and the name
+   * of its array ("Elevation" by default).
+   */
+  virtual void SetInterpolateZ(bool on) { this->ChangeOutput(this->InterpolateZ, on); }
+  vtkGetMacro(InterpolateZ, bool);
+  virtual void SetZArrayName(std::string name) { this->ChangeOutput(this->ZArrayName, name); }
+  vtkGetMacro(ZArrayName, std::string);
+  //@}
+
+protected:
+  vtkFFPointsToImage();
+  ~vtkFFPointsToImage() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int SizeMode = SIZE_BY_DIMENSIONS;
+  int Dimensions[2] = { 256, 256 };
+  double Spacing[2] = { 1.0, 1.0 };
+  bool UseInputBounds = true;
+  double SamplingBounds[4] = { 0.0, 1.0, 0.0, 1.0 };
+  int InterpolationMode = LINEAR;
+  int NullPointsStrategy = MASK_POINTS;
+  double NullValue; ///< NaN: see the constructor
+  std::string ValidPointsMaskArrayName = "vtkValidPointMask";
+  bool InterpolateZ = true;
+  std::string ZArrayName = "Elevation";
+
+private:
+  vtkFFPointsToImage(const vtkFFPointsToImage&) = delete;
+  void operator=(const vtkFFPointsToImage&) = delete;
+
+  template <class T>
+  void ChangeNumbers(T* setting, const T* values, int count);
+
+  /// Unless they are there already. Returns the share of the progress that it took.
+  double Prepare(vtkFFPlanarInput& input, vtkPolyData* source, vtkFFRun& run);
+
+  std::unique_ptr<vtkFFPreparedPoints> Prepared; ///< null: there are none
+};
+VTK_ABI_NAMESPACE_END
+
+#endif
