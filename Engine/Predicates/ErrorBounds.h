@@ -155,6 +155,14 @@ constexpr double VolumeSlack = 0x1p-48;
 /// the lengths of the side and of the way to the point.
 constexpr double LeftError = 32 * 0x1p-53;
 
+/// side-crossing: where a side crosses a row, against the sum of its ends' magnitudes, from the
+/// floor on; its slope is below the ceiling.
+/// @{
+constexpr double CrossingError = 8 * 0x1p-53;
+constexpr double CrossingFloor = 0x1p-800;
+constexpr double CrossingCeiling = 0x1p500;
+/// @}
+
 /// direction-map: a coordinate in the map's grid.
 constexpr double MapMargin = 0x1p-44;
 

@@ -3,20 +3,22 @@
 /// @file
 /// Which pixels of an image are in a triangle? Row by row, from its left side to its right one.
 ///
-/// Where a side crosses a row is guessed in floating point; exact signs move the guess to the first
-/// pixel that is not beyond the side. So a pixel on an edge or at a corner belongs to one triangle
-/// alone, which MeshLocation names, and each pixel of the hull is found once.
+/// Where a side crosses a row is computed in floating point, with a bound for the error; an exact
+/// sign decides for a pixel within that bound. So a pixel on an edge or at a corner belongs to one
+/// triangle alone, which MeshLocation names, and each pixel of the hull is found once.
 #ifndef flipflop_ImageScan_h
 #define flipflop_ImageScan_h
 
-#include "Predicates/ExactSigns.h"
+#include "Predicates/ErrorBounds.h"
 #include "Query/PreparedTriangulation.h"
 #include "Support/Monitor.h"
 #include <flipflop/TriangulationQueries.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -207,15 +209,9 @@ public:
       const Side& other = isLower ? lower : upper;
       const Side& left = middleIsRight ? whole : other;
       const Side& right = middleIsRight ? other : whole;
-      const std::int64_t nearLeft = this->columns.guess(left.crossing(this->rows[row]));
-      const std::int64_t nearRight = this->columns.guess(right.crossing(this->rows[row]));
-      if (nearLeft == nearRight && this->isBetween(nearLeft, left, right))
-      {
-        continue;
-      }
       int onLeft = 0, onRight = 0;
-      const std::int64_t begin = this->firstInside(left, nearLeft, onLeft);
-      const std::int64_t end = this->firstBeyond(right, nearRight, onRight);
+      const std::int64_t begin = this->firstInside(left.crossing(this->rows[row]), onLeft);
+      const std::int64_t end = this->firstBeyond(right.crossing(this->rows[row]), onRight);
       const bool isLevel = this->rows[row] == this->height(triangle, low) ||
         this->rows[row] == this->height(triangle, high);
       for (std::int64_t column = begin; column < end; ++column)
@@ -234,6 +230,16 @@ public:
   }
 
 private:
+  struct Side;
+
+  /// Where a side crosses a row.
+  struct Crossing
+  {
+    const Side& side;
+    double x;         ///< about
+    double low, high; ///< bounds of it
+  };
+
   /// From a lower corner to a higher one, or one as high.
   struct Side
   {
@@ -242,17 +248,25 @@ private:
       , to(sites[triangle.v[high]])
       , slope((to.x[0] - from.x[0]) / (to.x[1] - from.x[1]))
     {
+      const double size = std::fabs(from.x[0]) + std::fabs(to.x[0]);
+      margin = size > CrossingFloor && std::fabs(slope) < CrossingCeiling
+        ? CrossingError * size
+        : std::numeric_limits<double>::infinity();
     }
 
     bool spansRow(double y) const { return y >= from.x[1] && y <= to.x[1] && from.x[1] < to.x[1]; }
-    double crossing(double y) const
+
+    /// @param y of a row that it spans
+    Crossing crossing(double y) const
     {
-      return this->from.x[0] + (y - this->from.x[1]) * this->slope;
+      const double x = from.x[0] + (y - from.x[1]) * slope;
+      return { *this, x, x - margin, x + margin };
     }
 
     const Vertex& from;
     const Vertex& to;
     double slope;
+    double margin; ///< by how much a crossing may be off, infinite where that is not known
   };
 
   double height(const Triangle& triangle, int corner) const
@@ -260,49 +274,46 @@ private:
     return this->sites[triangle.v[corner]].x[1];
   }
 
-  /// Is the row in the triangle between two columns, this one and the one before?
-  bool isBetween(std::int64_t column, const Side& left, const Side& right)
-  {
-    return (column == this->columns.size() || this->sideOf(right, column) < 0) &&
-      (column == 0 || this->sideOf(left, column - 1) > 0);
-  }
-
   /// The first column that is on a left side or to the right of it.
-  /// @param near is likely to be near it
   /// @param sign becomes 0 if it is on the side
-  std::int64_t firstInside(const Side& side, std::int64_t near, int& sign)
+  std::int64_t firstInside(const Crossing& crossing, int& sign)
   {
-    return this->columns.first(near,
+    return this->columns.first(this->columns.guess(crossing.x),
       [&](std::int64_t column)
       {
-        const int here = this->sideOf(side, column);
+        const int here = this->sideOf(crossing, column);
         sign = here <= 0 ? here : sign;
         return here <= 0;
       });
   }
 
   /// The first column to the right of a right side.
-  /// @param near is likely to be near it
   /// @param sign becomes 0 if the one before is on the side
-  std::int64_t firstBeyond(const Side& side, std::int64_t near, int& sign)
+  std::int64_t firstBeyond(const Crossing& crossing, int& sign)
   {
-    return this->columns.first(near,
+    return this->columns.first(this->columns.guess(crossing.x),
       [&](std::int64_t column)
       {
-        const int here = this->sideOf(side, column);
+        const int here = this->sideOf(crossing, column);
         sign = here >= 0 ? here : sign;
         return here < 0;
       });
   }
 
   /// Positive: the pixel is on the left.
-  int sideOf(const Side& side, std::int64_t column)
+  int sideOf(const Crossing& crossing, std::int64_t column)
   {
-    this->space.query.x[0] = this->columns[column];
-    int sign;
-    return ExpansionSigns::filterOrient2(side.from.x, side.to.x, this->space.query.x, 0, 1, sign)
-      ? sign
-      : this->space.geometry.orient(side.from, side.to, this->space.query);
+    const double x = this->columns[column];
+    if (x < crossing.low)
+    {
+      return 1;
+    }
+    if (x > crossing.high)
+    {
+      return -1;
+    }
+    this->space.query.x[0] = x;
+    return this->space.geometry.orient(crossing.side.from, crossing.side.to, this->space.query);
   }
 
   /// Of a pixel in a triangle, its border included.
