@@ -5,14 +5,11 @@
 #ifndef flipflop_PlaneShares_h
 #define flipflop_PlaneShares_h
 
-#include "Query/PlaneValues.h"
+#include "Query/FanMesh.h"
 #include "Query/SiteChain.h"
 #include "Query/SiteLocator.h"
 
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace flipflop
@@ -26,93 +23,22 @@ struct PlaneShare
 };
 using PlaneShares = std::vector<PlaneShare>;
 
-/// Along the edge of two sites, which the query lies on. The lower index comes first.
-template <class Space>
-void sharesOnEdge(const Space& space, std::uint32_t a, std::uint32_t b, PlaneShares& shares)
-{
-  if (a > b)
-  {
-    std::swap(a, b);
-  }
-  const Vertex from = space.site(a);
-  const Vertex to = space.site(b);
-  const int axis = std::fabs(to.x[0] - from.x[0]) >= std::fabs(to.x[1] - from.x[1]) ? 0 : 1;
-  withValues(
-    [&](auto& values)
-    {
-      const auto length = values.difference(to.x[axis], from.x[axis]);
-      shares.clear();
-      shares.push_back(
-        { a, toDouble(values.difference(to.x[axis], space.query.x[axis]) / length) });
-      shares.push_back(
-        { b, toDouble(values.difference(space.query.x[axis], from.x[axis]) / length) });
-      return true;
-    });
-}
+/// Space: SiteSigns::Narrow or Wide.
+/// @{
 
 /// Of the corners of the triangle that holds the query.
 template <class Space>
-void sharesOfCorners(const Space& space, const std::uint32_t* corners, PlaneShares& shares)
-{
-  const Vertex a = space.site(corners[0]);
-  const Vertex b = space.site(corners[1]);
-  const Vertex c = space.site(corners[2]);
-  const double* const q = space.query.x;
-  withValues(
-    [&](auto& values)
-    {
-      const auto ofA = values.area(b.x, c.x, q);
-      const auto ofB = values.area(c.x, a.x, q);
-      const auto ofC = values.area(a.x, b.x, q);
-      const auto all = ofA + ofB + ofC;
-      shares.clear();
-      shares.push_back({ corners[0], toDouble(ofA / all) });
-      shares.push_back({ corners[1], toDouble(ofB / all) });
-      shares.push_back({ corners[2], toDouble(ofC / all) });
-      return true;
-    });
-}
+void sharesOfCorners(const Space& space, const std::uint32_t* corners, PlaneShares& shares);
 
 /// Of a function that is linear over each triangle.
 template <class Space>
 void linearShares(
-  const Space& space, const FanMesh& mesh, const MeshLocation& location, PlaneShares& shares)
-{
-  shares.clear();
-  if (location.kind == MeshLocation::Outside)
-  {
-    return;
-  }
-  const std::uint32_t* const v = mesh.triangles[location.triangle].v;
-  switch (location.kind)
-  {
-    case MeshLocation::AtCorner:
-      shares.push_back({ v[location.corner], 1.0 });
-      return;
-    case MeshLocation::OnEdge:
-      sharesOnEdge(space, v[location.corner], v[nextCorner(location.corner)], shares);
-      return;
-    default:
-      sharesOfCorners(space, v, shares);
-  }
-}
+  const Space& space, const FanMesh& mesh, const MeshLocation& location, PlaneShares& shares);
 
 /// The same along a chain.
 template <class Space>
-void linearShares(const Space& space, const ChainLocation& location, PlaneShares& shares)
-{
-  shares.clear();
-  if (location.from == NoIndex)
-  {
-    return;
-  }
-  if (location.from == location.to)
-  {
-    shares.push_back({ location.from, 1.0 });
-    return;
-  }
-  sharesOnEdge(space, location.from, location.to, shares);
-}
+void linearShares(const Space& space, const ChainLocation& location, PlaneShares& shares);
+/// @}
 
 }
 

@@ -8,7 +8,11 @@
 /// is too wide, or a sum cancels (see checkSum()), all of a computation is done again in
 /// floating-point numbers of 50 digits and any range, and where that is too vague, too, in numbers
 /// of 4,400 bits. What is made of these values by products, quotients and sums of one sign is then
-/// right to the last places of a double.
+/// right to the last places of a double: a value is right to 2^-66, a sum may be 2^-30 of its
+/// terms.
+///
+/// Where 2^-30 is enough, double comes first: there a value is right to 2^-37, or done again, and a
+/// sum may be 2^-4 of its terms.
 #ifndef flipflop_PlaneValues_h
 #define flipflop_PlaneValues_h
 
@@ -33,6 +37,11 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b)
   DoubleDouble result;
   twoSum(first, (rest.high + rest.low) / b.high, result.high, result.low);
   return result;
+}
+
+inline double toDouble(double a)
+{
+  return a;
 }
 
 inline double toDouble(const DoubleDouble& a)
@@ -85,57 +94,120 @@ void roundTo(const ExactValue& exact, LongNumber& result);
 void roundTo(const ExactValue& exact, LongestNumber& result);
 ///@}
 
-/// Values in double-double. A computation that finds isVague set is worth nothing.
-class NearValues
+/// Values in double: where no value is small compared with its terms.
+struct PlainArithmetic
+{
+  using Number = double;
+  using Pair = DoublePair;
+
+  /// Of its terms, what a sum must have.
+  static constexpr double SumShare = 0x1p-4;
+
+  static Number number(double x) { return x; }
+  static double high(Number x) { return x; }
+  static const Pair& highs(const Pair& x) { return x; }
+  static Number at(const Pair& x, int i) { return x[i]; }
+  static Pair pairOf(Number x, Number y) { return Pair{ x, y }; }
+  static Number difference(double a, double b) { return a - b; }
+  static Pair difference(const DoublePair& a, const DoublePair& b) { return a - b; }
+
+  /// A value that is off by less than 2^-49 of its terms.
+  /// @return false if it is vague
+  template <class Exact>
+  static bool settle(Number& value, double most, const Exact&)
+  {
+    return std::fabs(value) >= 0x1p-12 * most;
+  }
+};
+
+/// Values in double-double.
+struct NearArithmetic
+{
+  using Number = DoubleDouble;
+  using Pair = DoubleDoublePair;
+
+  static constexpr double SumShare = 0x1p-30;
+
+  static Number number(double x) { return { x, 0.0 }; }
+  static double high(const Number& x) { return x.high; }
+  static const DoublePair& highs(const Pair& x) { return x.high; }
+  static Number at(const Pair& x, int i) { return { x.high[i], x.low[i] }; }
+  static Pair pairOf(const Number& x, const Number& y)
+  {
+    return { DoublePair{ x.high, y.high }, DoublePair{ x.low, y.low } };
+  }
+  static Number difference(double a, double b) { return doubleDifference(a, b); }
+  static Pair difference(const DoublePair& a, const DoublePair& b)
+  {
+    return doubleDifference(a, b);
+  }
+
+  /// A value that is off by less than 2^-100 of its terms; small ones come from exact integers.
+  /// @return false if it is vague
+  template <class Exact>
+  static bool settle(Number& value, double most, const Exact& exact)
+  {
+    if (std::fabs(value.high) >= PlaneValueShare * most)
+    {
+      return true;
+    }
+    roundTo(exact(), value);
+    const double size = std::fabs(value.high);
+    return size == 0.0 || size >= 0x1p-480;
+  }
+};
+
+/// Values by such arithmetic. A computation that finds isVague set is worth nothing.
+template <class Arithmetic>
+class RoundedValues
 {
 public:
-  using Number = DoubleDouble;
-  using Size = double;           ///< how large a number is, roughly
-  using Pair = DoubleDoublePair; ///< an x and a y
+  using Number = typename Arithmetic::Number;
+  using Size = double;                    ///< how large a number is, roughly
+  using Pair = typename Arithmetic::Pair; ///< an x and a y
 
   bool isVague() const { return this->vague; }
 
-  static Number number(double x) { return { x, 0.0 }; }
-  static bool isZero(const Number& x) { return x.high == 0.0; }
+  static Number number(double x) { return Arithmetic::number(x); }
+  static bool isZero(const Number& x) { return Arithmetic::high(x) == 0.0; }
   /// And in range.
-  static bool isPositive(const Number& x) { return x.high > 0.0 && std::isfinite(x.high); }
-  static Size sizeOf(const Number& x) { return std::fabs(x.high); }
+  static bool isPositive(const Number& x)
+  {
+    return Arithmetic::high(x) > 0.0 && std::isfinite(Arithmetic::high(x));
+  }
+  static Size sizeOf(const Number& x) { return std::fabs(Arithmetic::high(x)); }
 
   /// A sum of products of computed numbers, with the sum of its terms' sizes: is it vague?
   void checkSum(const Number& sum, Size terms)
   {
-    this->vague = this->vague || (terms > 0 && !(std::fabs(sum.high) >= 0x1p-40 * terms));
+    this->vague = this->vague || (terms > 0 && !(sizeOf(sum) >= Arithmetic::SumShare * terms));
   }
 
   /// a - b.
   Number difference(double a, double b)
   {
-    const Number result = doubleDifference(a, b);
-    this->limit(std::fabs(result.high));
+    const Number result = Arithmetic::difference(a, b);
+    this->limit(sizeOf(result));
     return result;
   }
 
   /// The same of an x and of a y.
   Pair differences(const double* a, const double* b)
   {
-    const Pair result = doubleDifference(DoublePair{ a[0], a[1] }, DoublePair{ b[0], b[1] });
-    this->limit(std::fabs(result.high[0]));
-    this->limit(std::fabs(result.high[1]));
+    const Pair result = Arithmetic::difference(DoublePair{ a[0], a[1] }, DoublePair{ b[0], b[1] });
+    this->limit(sizeOf(result, 0));
+    this->limit(sizeOf(result, 1));
     return result;
   }
 
-  static Size sizeOf(const Pair& x, int i) { return std::fabs(x.high[i]); }
-
-  static Pair pairOf(const Number& x, const Number& y)
-  {
-    return { DoublePair{ x.high, y.high }, DoublePair{ x.low, y.low } };
-  }
+  static Size sizeOf(const Pair& x, int i) { return std::fabs(Arithmetic::highs(x)[i]); }
+  static Pair pairOf(const Number& x, const Number& y) { return Arithmetic::pairOf(x, y); }
 
   /// u x v.
   static Number cross(const Pair& u, const Pair& v)
   {
     const Pair sides = u * turned(v);
-    return at(sides, 0) - at(sides, 1);
+    return Arithmetic::at(sides, 0) - Arithmetic::at(sides, 1);
   }
 
   /// Twice the area of abc, positive where it turns left; zero only where it is.
@@ -143,9 +215,9 @@ public:
   {
     const Pair u = this->differences(b, a), v = this->differences(c, a);
     const Pair sides = u * turned(v);
-    const Number left = at(sides, 0), right = at(sides, 1);
-    return this->checked(left - right, std::fabs(left.high) + std::fabs(right.high),
-      [&] { return exactArea(a, b, c); });
+    const Number left = Arithmetic::at(sides, 0), right = Arithmetic::at(sides, 1);
+    return this->checked(
+      left - right, sizeOf(left) + sizeOf(right), [&] { return exactArea(a, b, c); });
   }
 
   /// How high p is above the plane of abc, which turns left, times twice the area; positive in the
@@ -160,44 +232,34 @@ public:
     {
       u[i] = this->differences(row[i], a);
       const Pair squares = u[i] * u[i];
-      const Number square = at(squares, 0) + at(squares, 1);
+      const Number square = Arithmetic::at(squares, 0) + Arithmetic::at(squares, 1);
       const Number weight = this->difference(row[i][2], a[2]);
       height[i] = weight - square;
-      size[i] = square.high + std::fabs(weight.high);
+      size[i] = sizeOf(square) + sizeOf(weight);
     }
-    Number det = { 0.0, 0.0 };
+    Number det = number(0.0);
     double most = 0.0;
     for (int i = 0; i < 3; ++i)
     {
       const int j = i == 2 ? 0 : i + 1;
       const int k = i == 0 ? 2 : i - 1;
       const Pair sides = u[j] * turned(u[k]);
-      const Number left = at(sides, 0), right = at(sides, 1);
+      const Number left = Arithmetic::at(sides, 0), right = Arithmetic::at(sides, 1);
       det = det + (left - right) * height[i];
-      most += (std::fabs(left.high) + std::fabs(right.high)) * size[i];
+      most += (sizeOf(left) + sizeOf(right)) * size[i];
     }
     return this->checked(det, most, [&] { return exactHeight(a, b, c, p); });
   }
 
 private:
-  static Number at(const Pair& a, int i) { return { a.high[i], a.low[i] }; }
-
   /// y and x.
-  static Pair turned(const Pair& a) { return pairOf(at(a, 1), at(a, 0)); }
+  static Pair turned(const Pair& a) { return pairOf(Arithmetic::at(a, 1), Arithmetic::at(a, 0)); }
 
-  /// The value is off by less than 2^-100 of its terms.
   template <class Exact>
-  Number checked(const Number& value, double most, const Exact& exact)
+  Number checked(Number value, double most, const Exact& exact)
   {
-    if (this->vague || std::fabs(value.high) >= PlaneValueShare * most)
-    {
-      return value;
-    }
-    Number result;
-    roundTo(exact(), result);
-    const double size = std::fabs(result.high);
-    this->vague = !(size == 0.0 || size >= 0x1p-480);
-    return result;
+    this->vague = this->vague || !Arithmetic::settle(value, most, exact);
+    return value;
   }
 
   /// Products of four neither overflow nor lose their low parts.
@@ -208,6 +270,9 @@ private:
 
   bool vague = false;
 };
+
+using PlainValues = RoundedValues<PlainArithmetic>;
+using NearValues = RoundedValues<NearArithmetic>;
 
 /// The same in numbers of any range, from exact integers.
 template <class Float, int Spare>
@@ -294,6 +359,17 @@ void withValues(const Compute& compute)
 {
   const auto isDone = [&](auto values) { return compute(values) && !values.isVague(); };
   isDone(NearValues()) || isDone(LongValues()) || isDone(LongestValues());
+}
+
+/// The same, in double before.
+template <class Compute>
+void withPlainValues(const Compute& compute)
+{
+  PlainValues values;
+  if (!compute(values) || values.isVague())
+  {
+    withValues(compute);
+  }
 }
 
 }

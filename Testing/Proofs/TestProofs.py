@@ -38,7 +38,7 @@ OTHER = {
     "Engine/Query/FacetPlane.h": ("ranges of a rounded result", "0x1p-120", "0x1p1000", "0x1p1023"),
     "Engine/Query/SurfaceTree.cxx": ("which way to a rounded result", "0x1p-32", "0x1p-120", "1e-3"),
     "Engine/Query/UnitFrame.h": ("no overflow", "0x1p1000"),
-    "Engine/Query/PlaneValues.h": ("when a result is computed again, and ranges", "0x1p-40", "0x1p-480", "0x1p-120", "0x1p240"),
+    "Engine/Query/PlaneValues.h": ("when a result is computed again, and ranges", "0x1p-4", "0x1p-12", "0x1p-30", "0x1p-480", "0x1p-120", "0x1p240"),
     "Engine/Query/TriangleShares.cxx": ("ranges of a rounded result", "0x1p-900", "0x1p900"),
     "Engine/Query/SiteGradients.cxx": ("the rank of a fit", "1e-6"),
     "Engine/Query/OffsetFrame.h": ("a range of a rounded result", "0x1p-300"),

@@ -167,9 +167,9 @@ public:
   /// hull's border it is linear between the two ends of the edge; it is NaN outside. In dimension 1
   /// and 0, it is that of interpolateLinear().
   ///
-  /// Which sites have a share is exact; shares are rounded, mostly to a few units in the last place
-  /// (of the greatest, where many triangles meet). A query costs the triangles that it would
-  /// remove: a few, but all those at a site of very many neighbours.
+  /// Which sites have a share is exact. Shares are rounded: each is right to 2^-30 of itself, and
+  /// mostly to 1e-13. A query costs the triangles that it would remove: a few, but all those at a
+  /// site of very many neighbours.
   /// @param values     as for interpolateLinear()
   /// @param components as for interpolateLinear()
   /// @param queries    as for interpolateLinear()
