@@ -207,8 +207,11 @@ int vtkFFConstrainedDelaunayFilter::RequestData(
         this->NumberOfSplitPoints = constraints->GetNumberOfNewPoints();
         this->NumberOfAddedPoints = constraints->GetNumberOfJoinedPoints();
         run.SetPart(1.0, 1.0); // for whoever asks it to stop
-        this->NumberOfHeightDifferences =
-          constraints->FindHeights(input, triangulation, run.Options);
+        if (input.IsXYPlane())
+        {
+          this->NumberOfHeightDifferences =
+            constraints->FindHeights(input.GetSpace(), triangulation, run.Options);
+        }
         constraints->AppendNewPoints(input, run);
       }
       dropped += vtkFFPlanarInput::DropLongCells(

@@ -8,14 +8,13 @@
 #include "vtkFFSurfaceCells.h"
 
 #include <flipflop/Error.h>
+#include <flipflop/PlaneFit.h>
 
-#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -75,47 +74,9 @@ bool isFlat(vtkFFPlanarAlgorithm* filter)
   return filter->GetProjectionPlaneMode() == vtkFFPlanarAlgorithm::XY_PLANE;
 }
 
-/// Values of a new array for these points of a source, by its array of the same name. Without one
-/// of as many components: NaN, or 0 and an empty string of types that have none.
-void fillFrom(vtkDataSetAttributes* source, const flipflop::Buffer<std::int64_t>& points,
-  vtkAbstractArray* array)
+/// These points after those given. The run gets the id -1 for each.
+vtkSmartPointer<vtkPointSet> append(vtkPointSet* given, vtkPointSet* created, vtkFFRun& run)
 {
-  const auto count = static_cast<vtkIdType>(points.size());
-  array->SetNumberOfTuples(count);
-  vtkAbstractArray* const same =
-    array->GetName() ? source->GetAbstractArray(array->GetName()) : nullptr;
-  auto* const numbers = vtkDataArray::SafeDownCast(array);
-  const bool isThere = same && same->GetNumberOfComponents() == array->GetNumberOfComponents() &&
-    (numbers ? vtkDataArray::SafeDownCast(same) != nullptr
-             : same->GetDataType() == array->GetDataType());
-  if (!isThere)
-  {
-    const int type = array->GetDataType();
-    if (numbers)
-    {
-      numbers->Fill(type == VTK_FLOAT || type == VTK_DOUBLE ? vtkMath::Nan() : 0.0);
-    }
-    return;
-  }
-  auto* const other = vtkDataArray::SafeDownCast(same);
-  for (vtkIdType k = 0; k < count; ++k)
-  {
-    const auto from = static_cast<vtkIdType>(points[static_cast<std::size_t>(k)]);
-    if (same->GetDataType() == array->GetDataType())
-    {
-      array->SetTuple(k, from, same);
-    }
-    else // both are of numbers
-    {
-      numbers->SetTuple(k, other->GetTuple(from));
-    }
-  }
-}
-
-/// The input gets these points, and the run the id -1 for each.
-void appendTo(vtkFFPlanarInput& input, vtkPointSet* created, vtkFFRun& run)
-{
-  vtkPointSet* const given = input.GetPoints();
   const auto count = static_cast<std::size_t>(given->GetNumberOfPoints());
   if (run.Ids.empty())
   {
@@ -123,7 +84,7 @@ void appendTo(vtkFFPlanarInput& input, vtkPointSet* created, vtkFFRun& run)
     std::iota(run.Ids.begin(), run.Ids.end(), vtkIdType(0));
   }
   run.Ids.resize(count + static_cast<std::size_t>(created->GetNumberOfPoints()), -1);
-  input.SetPoints(vtkFFOutput::Append({ given, created }));
+  return vtkFFOutput::Append({ given, created });
 }
 
 /// How far q is on the way from a to b, which is not 0: rounded, from 0 to 1.
@@ -142,7 +103,7 @@ double shareOf(const double* a, const double* b, const double* q)
 vtkFFConstraints::vtkFFConstraints(vtkFFConstrainedDelaunayFilter* filter, vtkPolyData* source,
   vtkDataSet* input, const std::vector<vtkIdType>& given)
   : vtkFFConstraints({ filter->GetSourcePoints(), isFlat(filter) ? 2 : 3,
-                       filter->GetClosedLinesAsBorders(), true },
+                       filter->GetClosedLinesAsBorders(), true, true },
       source, input, given)
 {
 }
@@ -150,8 +111,16 @@ vtkFFConstraints::vtkFFConstraints(vtkFFConstrainedDelaunayFilter* filter, vtkPo
 //------------------------------------------------------------------------------
 vtkFFConstraints::vtkFFConstraints(
   vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& given, int dimensions)
-  : vtkFFConstraints({ vtkFFConstrainedDelaunayFilter::INPUT_POINTS, dimensions, false, false },
-      source, input, given)
+  : vtkFFConstraints(
+      { vtkFFConstrainedDelaunayFilter::INPUT_POINTS, dimensions, false, false, false }, source,
+      input, given)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkFFConstraints::vtkFFConstraints(
+  int sourcePoints, vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& given)
+  : vtkFFConstraints({ sourcePoints, 2, false, true, false }, source, input, given)
 {
 }
 
@@ -319,7 +288,8 @@ void vtkFFConstraints::CheckPoint(vtkIdType point, vtkIdType cell) const
       toText(given) + ". The source's cells name points of the input by id, so at these ids its " +
       std::to_string(own) + " points must be those of the input, of which there are " +
       std::to_string(this->Input->GetNumberOfPoints()) + "; or it has no points." +
-      (this->Settings.CanBeSet ? " If they are its own, set Source Points to Own Points." : ""));
+      (this->Settings.TakesOwnPoints ? " If they are its own, set Source Points to Own Points."
+                                     : ""));
   }
 }
 
@@ -333,6 +303,8 @@ void vtkFFConstraints::Join(
     this->Lines->SetPoints(this->Source);
     this->Lines->ProjectAs(input);
   }
+  this->OwnHeights = this->IsOwn ? this->Lines->GetSpace() : input.GetSpace();
+  this->InputCount = input.GetPlane().count;
   this->Joined = flipflop::joinLines(input.GetPlane(),
     this->IsOwn ? this->Lines->GetPlane() : input.GetPlane(), this->GetWhole(), run.Options);
   if (this->GetNumberOfJoinedPoints() > 0)
@@ -341,49 +313,46 @@ void vtkFFConstraints::Join(
     flipflop::Buffer<double> positions(joined.size());
     std::copy(joined.begin(), joined.end(), positions.begin());
     input.SetPositions(std::move(positions));
-    appendTo(input, this->GetOwnPoints(input.GetPoints()), run);
+    input.SetPoints(this->AppendOwnPoints(input.GetPoints(), run));
   }
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkFFConstraints::GetOwnPoints(vtkPointSet* given) const
+void vtkFFConstraints::Join(const flipflop::PointView& points, const flipflop::PointView& own,
+  const flipflop::Options& options)
 {
-  const flipflop::Buffer<std::int64_t>& added = this->Joined->added;
-  const auto count = static_cast<vtkIdType>(added.size());
-  vtkNew<vtkPoints> points;
-  points->SetDataType(this->Source->GetPoints()->GetDataType());
-  points->SetNumberOfPoints(count);
-  for (vtkIdType k = 0; k < count; ++k)
+  this->OwnHeights = own;
+  this->InputCount = points.count;
+  const flipflop::Buffer<double> finite[2] = { flipflop::positionsInXY(points, options),
+    flipflop::positionsInXY(own, options) };
+  const auto planeOf = [&](int which, const flipflop::PointView& space)
   {
-    double x[3];
-    this->Source->GetPoint(static_cast<vtkIdType>(added[static_cast<std::size_t>(k)]), x);
-    points->SetPoint(k, x);
-  }
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(points);
-  vtkPointData* const data = result->GetPointData();
-  data->InterpolateAllocate(given->GetPointData(), count);
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    fillFrom(this->Source->GetPointData(), added, data->GetAbstractArray(i));
-  }
-  return result;
+    return finite[which].empty() ? space
+                                 : flipflop::PointView(finite[which].data(), space.count, 2);
+  };
+  this->Joined =
+    flipflop::joinLines(planeOf(0, points), planeOf(1, own), this->GetWhole(), options);
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkFFConstraints::FindHeights(const vtkFFPlanarInput& input,
+vtkSmartPointer<vtkPointSet> vtkFFConstraints::AppendOwnPoints(
+  vtkPointSet* given, vtkFFRun& run) const
+{
+  return append(given, vtkFFOutput::SelectLike(given, this->Source, this->Joined->added), run);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFFConstraints::FindHeights(flipflop::PointView points,
   const flipflop::ConstrainedTriangulation& triangulation, const flipflop::Options& options)
 {
-  if (!this->Joined || !input.IsXYPlane())
+  if (!this->Joined)
   {
     return 0;
   }
-  flipflop::PointView given = input.GetSpace();
-  given.count -= this->GetNumberOfJoinedPoints();
+  points.count = this->InputCount;
   const flipflop::SplitConstraints unsplit;
-  this->Heights =
-    flipflop::lineHeights(given, this->IsOwn ? this->Lines->GetSpace() : given, this->GetWhole(),
-      *this->Joined, this->Pieces ? *this->Pieces : unsplit, triangulation, options);
+  this->Heights = flipflop::lineHeights(points, this->OwnHeights, this->GetWhole(), *this->Joined,
+    this->Pieces ? *this->Pieces : unsplit, triangulation, options);
   return static_cast<vtkIdType>(this->Heights->differing);
 }
 
@@ -521,7 +490,7 @@ void vtkFFConstraints::AppendNewPoints(vtkFFPlanarInput& input, vtkFFRun& run) c
     points->SetPoint(k, x);
     created->GetPointData()->InterpolateEdge(given->GetPointData(), k, a, b, share);
   }
-  appendTo(input, created, run);
+  input.SetPoints(append(given, created, run));
 }
 
 //------------------------------------------------------------------------------
@@ -569,8 +538,9 @@ std::string vtkFFConstraints::Describe(const flipflop::Error& error, const vtkFF
         " is left out: it has a coordinate that is NaN or infinite.";
     case flipflop::ErrorCode::ConstraintsCross:
       return "An edge of " + cellOf(error.index()) + " crosses one of " + cellOf(error.count()) +
-        ", and there is no point where they do. Add one to the input and to both" +
-        (this->Settings.CanBeSet ? ", or turn on Split Crossing Constraints." : ".");
+        ", and there is no point where they do. Add one to " +
+        (this->IsOwn ? "both" : "the input and to both") +
+        (this->Settings.Splits ? ", or turn on Split Crossing Constraints." : ".");
     case flipflop::ErrorCode::PolygonsDisagree:
     {
       const std::string wrong = cellOf(error.index());

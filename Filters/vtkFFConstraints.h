@@ -67,6 +67,13 @@ public:
   vtkFFConstraints(vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& given,
     int dimensions = 2);
 
+  /**
+   * The same for a filter that triangulates by x and y and has but this setting, of
+   * vtkFFConstrainedDelaunayFilter::SourcePointsType.
+   */
+  vtkFFConstraints(
+    int sourcePoints, vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& given);
+
   vtkFFConstraints(const vtkFFConstraints&) = delete;
   void operator=(const vtkFFConstraints&) = delete;
 
@@ -89,6 +96,26 @@ public:
   void Join(vtkFFConstrainedDelaunayFilter* filter, vtkFFPlanarInput& input, vtkFFRun& run);
 
   /**
+   * Join the source's own points to those of the input, both by x, y and height. A point is finite
+   * if all three are. The source's have to last as long as this object.
+   *
+   * @throw flipflop::Error as joinLines()
+   */
+  void Join(const flipflop::PointView& points, const flipflop::PointView& own,
+    const flipflop::Options& options);
+
+  /**
+   * The input's points and those that joined, with point data. The run has the id -1 for the
+   * latter.
+   */
+  vtkSmartPointer<vtkPointSet> AppendOwnPoints(vtkPointSet* given, vtkFFRun& run) const;
+
+  /**
+   * The source's points that joined, by ascending ids.
+   */
+  const flipflop::Buffer<std::int64_t>& GetJoinedPoints() const { return this->Joined->added; }
+
+  /**
    * Split the constraints where they cross. The input gets the positions of the new points in the
    * plane, after its own.
    *
@@ -105,10 +132,12 @@ public:
   //@}
 
   /**
-   * In the XY plane, find the heights at all points, if Join() was called. Returns at how many
-   * points several differ.
+   * Find the heights at all points, if Join() was called. Returns at how many points several
+   * differ.
+   *
+   * @param points x, y and height of the input's points; more of them do not matter
    */
-  vtkIdType FindHeights(const vtkFFPlanarInput& input,
+  vtkIdType FindHeights(flipflop::PointView points,
     const flipflop::ConstrainedTriangulation& triangulation, const flipflop::Options& options);
 
   /**
@@ -157,7 +186,8 @@ private:
     int SourcePoints;
     int Dimensions; // that are compared
     bool ClosedLinesAsBorders;
-    bool CanBeSet; // the filter has these settings, and splits
+    bool TakesOwnPoints; // the filter has this setting
+    bool Splits;         // or can
   };
 
   vtkFFConstraints(const SettingsType& settings, vtkPolyData* source, vtkDataSet* input,
@@ -169,7 +199,6 @@ private:
   std::string Describe(const flipflop::Error& error, const vtkFFRun& run) const;
   void CheckPoint(vtkIdType point, vtkIdType cell) const;
   void CheckOwnPoint(vtkIdType point, vtkIdType cell) const;
-  vtkSmartPointer<vtkPolyData> GetOwnPoints(vtkPointSet* given) const;
   flipflop::ConstraintView GetWhole() const;
   flipflop::ConstraintView GetUnsplit() const;
 
@@ -182,6 +211,8 @@ private:
   std::vector<vtkIdType> CellIds; // of each constraint
   std::int64_t Sides = 0;
   std::optional<vtkFFPlanarInput> Lines; // the source's own points
+  flipflop::PointView OwnHeights;        // x, y and height of these
+  std::int64_t InputCount = 0;           // of points that others joined
   std::optional<flipflop::JoinedLines> Joined;
   std::optional<flipflop::SplitConstraints> Pieces;
   std::optional<flipflop::LineHeights> Heights;

@@ -19,6 +19,7 @@
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -29,6 +30,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <memory>
 #include <numeric>
@@ -158,6 +160,43 @@ struct Share
     }
   }
 };
+
+/// Values of a new array for these points of a source, by its array of the same name. Without one
+/// of as many components: NaN, or 0 and an empty string of types that have none.
+void fillFrom(vtkDataSetAttributes* source, const flipflop::Buffer<std::int64_t>& points,
+  vtkAbstractArray* array)
+{
+  const auto count = static_cast<vtkIdType>(points.size());
+  array->SetNumberOfTuples(count);
+  vtkAbstractArray* const same =
+    array->GetName() ? source->GetAbstractArray(array->GetName()) : nullptr;
+  auto* const numbers = vtkDataArray::SafeDownCast(array);
+  const bool isThere = same && same->GetNumberOfComponents() == array->GetNumberOfComponents() &&
+    (numbers ? vtkDataArray::SafeDownCast(same) != nullptr
+             : same->GetDataType() == array->GetDataType());
+  if (!isThere)
+  {
+    const int type = array->GetDataType();
+    if (numbers)
+    {
+      numbers->Fill(type == VTK_FLOAT || type == VTK_DOUBLE ? vtkMath::Nan() : 0.0);
+    }
+    return;
+  }
+  auto* const other = vtkDataArray::SafeDownCast(same);
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    const auto from = static_cast<vtkIdType>(points[static_cast<std::size_t>(k)]);
+    if (same->GetDataType() == array->GetDataType())
+    {
+      array->SetTuple(k, from, same);
+    }
+    else // both are of numbers
+    {
+      numbers->SetTuple(k, other->GetTuple(from));
+    }
+  }
+}
 
 }
 
@@ -490,5 +529,30 @@ vtkSmartPointer<vtkPointSet> vtkFFOutput::Select(vtkPointSet* piece, vtkIdTypeAr
   points->SetPoints(positions);
   CopyPointData({ { piece->GetPointData(), count } }, which, points->GetPointData());
   return points;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> vtkFFOutput::SelectLike(
+  vtkPointSet* followed, vtkPolyData* source, const flipflop::Buffer<std::int64_t>& which)
+{
+  const auto count = static_cast<vtkIdType>(which.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataType(source->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(count);
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    double x[3];
+    source->GetPoint(static_cast<vtkIdType>(which[static_cast<std::size_t>(k)]), x);
+    points->SetPoint(k, x);
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  vtkPointData* const data = result->GetPointData();
+  data->InterpolateAllocate(followed->GetPointData(), count);
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    fillFrom(source->GetPointData(), which, data->GetAbstractArray(i));
+  }
+  return result;
 }
 VTK_ABI_NAMESPACE_END

@@ -164,6 +164,14 @@ public:
    * Some points of a piece, by ascending ids, with their point data.
    */
   static vtkSmartPointer<vtkPointSet> Select(vtkPointSet* piece, vtkIdTypeArray* which);
+
+  /**
+   * These points of a source, with the arrays of point data that those have which they are to
+   * follow, but global ids. Values are those of the source's array of the same name and number of
+   * components; without one, NaN, or 0 and an empty string of types that have none.
+   */
+  static vtkSmartPointer<vtkPolyData> SelectLike(
+    vtkPointSet* followed, vtkPolyData* source, const flipflop::Buffer<std::int64_t>& which);
 };
 VTK_ABI_NAMESPACE_END
 

@@ -5,6 +5,8 @@
 #include "vtkFFConstraints.h"
 #include "vtkFFInput.h"
 #include "vtkFFOutput.h"
+#include "vtkFFPlanarInput.h"
+#include "vtkFFPointSource.h"
 #include "vtkFFRun.h"
 #include "vtkFFWeightSource.h"
 
@@ -20,7 +22,9 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -38,57 +42,186 @@ vtkStandardNewMacro(vtkFFTerrainMeshFilter);
 namespace
 {
 
-/// The mesh; errors of constraints name the source's cells.
-flipflop::TerrainMesh meshOf(const vtkFFInput& input, const vtkFFWeightSource& heights,
-  const std::optional<vtkFFConstraints>& constraints, const flipflop::TerrainMeshOptions& terrain,
-  const vtkFFRun& run)
+/// x, y and height of points: as they are in memory, where heights are z.
+class HeightSpace
+{
+public:
+  HeightSpace(const flipflop::PointView& points, const flipflop::WeightView& heights)
+    : View(points)
+  {
+    if (!heights.data)
+    {
+      return;
+    }
+    this->Memory.allocate(3 * static_cast<std::size_t>(points.count));
+    double* to = this->Memory.data();
+    for (std::int64_t i = 0; i < points.count; ++i)
+    {
+      *to++ = vtkFFPlanarInput::NumberAt(points, i * points.stride);
+      *to++ = vtkFFPlanarInput::NumberAt(points, i * points.stride + 1);
+      *to++ = vtkFFPlanarInput::NumberAt(heights, i * heights.stride);
+    }
+    this->View = flipflop::PointView(this->Memory.data(), points.count);
+  }
+  double HeightOf(std::int64_t i) const
+  {
+    return vtkFFPlanarInput::NumberAt(this->View, i * this->View.stride + 2);
+  }
+
+  flipflop::PointView View;
+
+private:
+  flipflop::Buffer<double> Memory;
+};
+
+/// The points, which those of a source may join, and their heights.
+class Survey
+{
+public:
+  Survey(vtkFFTerrainMeshFilter* filter, vtkFFInput& input, vtkFFRun& run)
+    : Filter(filter)
+    , Run(run)
+    , Points(input.GetPieces()[0])
+    , Coordinates(
+        std::in_place, this->Points->GetPoints() ? this->Points->GetPoints()->GetData() : nullptr)
+    , HeightArray(std::in_place, FindHeights(filter, this->Points, run, "input"),
+        flipflop::WeightRule(), "height")
+    , Heights(this->HeightArray->GetView())
+  {
+  }
+
+  static vtkDataArray* FindHeights(
+    vtkFFTerrainMeshFilter* filter, vtkDataSet* points, const vtkFFRun& run, const char* owner)
+  {
+    return vtkFFWeightSource::FindArray(filter, points, run.OfWhat(), owner, "height");
+  }
+
+  /// Let those of the source join.
+  void Join(vtkFFConstraints& constraints, vtkPolyData* source)
+  {
+    this->Own.emplace(source->GetPoints() ? source->GetPoints()->GetData() : nullptr);
+    const vtkFFWeightSource ownHeights(
+      FindHeights(this->Filter, source, this->Run, "source"), flipflop::WeightRule(), "height");
+    this->Given.emplace(this->Coordinates->GetView(), this->Heights);
+    this->Joining.emplace(this->Own->GetView(), ownHeights.GetView());
+    constraints.Join(this->Given->View, this->Joining->View, this->Run.Options);
+    if (this->Heights.data || ownHeights.GetView().data)
+    {
+      this->TakeHeights(constraints.GetJoinedPoints());
+    }
+    this->Points = constraints.AppendOwnPoints(this->Points, this->Run);
+    this->Coordinates.emplace(this->Points->GetPoints()->GetData());
+  }
+
+  /// The mesh; errors of constraints name the source's cells.
+  flipflop::TerrainMesh Mesh(
+    const flipflop::ConstraintView& lines, const flipflop::TerrainMeshOptions& terrain) const
+  {
+    // Of polygons the sides alone.
+    return flipflop::terrainMesh(this->Coordinates->GetView(), this->Heights,
+      flipflop::ConstraintView(lines.ends, lines.count), terrain, this->Run.Options);
+  }
+
+  /// Cells become an output, with their points and these points' data.
+  void Write(flipflop::CellComplex& cells, const std::optional<vtkFFConstraints>& constraints,
+    vtkPolyData* output) const
+  {
+    std::vector<vtkSmartPointer<vtkDataArray>> marks;
+    if (constraints)
+    {
+      marks = constraints->MarkPoints(cells.pointIds);
+    }
+    std::vector<vtkFFOutput::Source> data;
+    if (this->Filter->GetPassPointData())
+    {
+      data.push_back({ this->Points->GetPointData(), this->Points->GetNumberOfPoints() });
+    }
+    vtkFFOutput::Adopt(cells, *this->Coordinates, data, output);
+    vtkFFOutput::Renumber(
+      output->GetPointData(), [this](vtkIdType id) { return this->Run.GetId(id); });
+    if (this->Filter->GetVisiblePointIds())
+    {
+      vtkFFOutput::ShowIds(output->GetPointData());
+    }
+    for (const auto& array : marks)
+    {
+      output->GetPointData()->AddArray(array);
+    }
+  }
+
+  /// The points that are not kept, with their errors.
+  void WriteRest(flipflop::TerrainMesh& mesh, const std::optional<vtkFFConstraints>& constraints,
+    vtkPolyData* output) const
+  {
+    vtkNew<vtkDoubleArray> errors;
+    errors->SetName("TerrainError");
+    errors->SetNumberOfValues(static_cast<vtkIdType>(mesh.hiddenIds.size()));
+    for (std::size_t i = 0; i < mesh.hiddenIds.size(); ++i)
+    {
+      errors->SetValue(
+        static_cast<vtkIdType>(i), mesh.errors[static_cast<std::size_t>(mesh.hiddenIds[i])]);
+    }
+    flipflop::CellComplex vertices;
+    vertices.dimension = 0;
+    vertices.cellSize = 1;
+    vertices.connectivity.allocate(mesh.hiddenIds.size());
+    std::iota(vertices.connectivity.begin(), vertices.connectivity.end(), std::int64_t(0));
+    vertices.pointIds = std::move(mesh.hiddenIds);
+    this->Write(vertices, constraints, output);
+    output->GetPointData()->AddArray(errors);
+  }
+
+  /// x, y and height of those that were given, once others have joined.
+  const flipflop::PointView& GetGiven() const { return this->Given->View; }
+
+private:
+  /// Heights of all points, where an array has them.
+  void TakeHeights(const flipflop::Buffer<std::int64_t>& joined)
+  {
+    const std::int64_t given = this->Given->View.count;
+    this->AllHeights.allocate(static_cast<std::size_t>(given) + joined.size());
+    double* to = this->AllHeights.data();
+    for (std::int64_t i = 0; i < given; ++i)
+    {
+      *to++ = this->Given->HeightOf(i);
+    }
+    for (const std::int64_t point : joined)
+    {
+      *to++ = this->Joining->HeightOf(point);
+    }
+    this->Heights = flipflop::WeightView(
+      this->AllHeights.data(), static_cast<std::int64_t>(this->AllHeights.size()));
+  }
+
+  vtkFFTerrainMeshFilter* const Filter;
+  vtkFFRun& Run;
+  vtkSmartPointer<vtkPointSet> Points;
+  std::optional<vtkFFPointSource> Coordinates;
+  std::optional<vtkFFWeightSource> HeightArray;
+  flipflop::WeightView Heights; // none: z
+  flipflop::Buffer<double> AllHeights;
+  std::optional<vtkFFPointSource> Own;
+  std::optional<HeightSpace> Given, Joining;
+};
+
+/// The mesh, of the source's own points, too, if its cells name them; errors of constraints name
+/// its cells.
+flipflop::TerrainMesh meshOf(Survey& survey, std::optional<vtkFFConstraints>& constraints,
+  vtkPolyData* source, const flipflop::TerrainMeshOptions& terrain, vtkFFRun& run)
 {
   flipflop::TerrainMesh mesh;
   const auto work = [&]
   {
-    const auto view = constraints ? constraints->GetView() : flipflop::ConstraintView();
-    // Of polygons the sides alone.
-    mesh = flipflop::terrainMesh(input.GetView(), heights.GetView(),
-      flipflop::ConstraintView(view.ends, view.count), terrain, run.Options);
+    if (constraints && constraints->HasOwnPoints())
+    {
+      run.SetPart(0.0, 0.2);
+      survey.Join(*constraints, source);
+      run.SetPart(0.2, 1.0);
+    }
+    mesh = survey.Mesh(constraints ? constraints->GetView() : flipflop::ConstraintView(), terrain);
   };
   vtkFFConstraints::Do(constraints, run, work);
   return mesh;
-}
-
-/// Cells become an output, with their points and these points' data.
-void write(vtkFFAlgorithm* filter, flipflop::CellComplex& cells, const vtkFFInput& input,
-  const vtkFFRun& run, vtkPolyData* output)
-{
-  const auto data =
-    filter->GetPassPointData() ? input.GetPointData() : std::vector<vtkFFOutput::Source>();
-  vtkFFOutput::Adopt(cells, input.GetPoints(), data, output);
-  vtkFFOutput::Renumber(output->GetPointData(), [&](vtkIdType id) { return run.GetId(id); });
-  if (filter->GetVisiblePointIds())
-  {
-    vtkFFOutput::ShowIds(output->GetPointData());
-  }
-}
-
-/// The points that are not kept, with their errors.
-void writeRest(vtkFFAlgorithm* filter, flipflop::TerrainMesh& mesh, const vtkFFInput& input,
-  const vtkFFRun& run, vtkPolyData* output)
-{
-  vtkNew<vtkDoubleArray> errors;
-  errors->SetName("TerrainError");
-  errors->SetNumberOfValues(static_cast<vtkIdType>(mesh.hiddenIds.size()));
-  for (std::size_t i = 0; i < mesh.hiddenIds.size(); ++i)
-  {
-    errors->SetValue(
-      static_cast<vtkIdType>(i), mesh.errors[static_cast<std::size_t>(mesh.hiddenIds[i])]);
-  }
-  flipflop::CellComplex vertices;
-  vertices.dimension = 0;
-  vertices.cellSize = 1;
-  vertices.connectivity.allocate(mesh.hiddenIds.size());
-  std::iota(vertices.connectivity.begin(), vertices.connectivity.end(), std::int64_t(0));
-  vertices.pointIds = std::move(mesh.hiddenIds);
-  write(filter, vertices, input, run, output);
-  output->GetPointData()->AddArray(errors);
 }
 
 }
@@ -154,41 +287,55 @@ int vtkFFTerrainMeshFilter::RequestData(
         throw vtkFFBadSetting(message.str());
       }
       vtkFFConstraints::CheckSource(source, run);
-      const auto heightsOf = [&](vtkDataSet* points)
-      { return vtkFFWeightSource::FindArray(this, points, run.OfWhat(), "input", "height"); };
       auto* const points = vtkDataSet::SafeDownCast(data);
       if (points)
       {
-        heightsOf(points); // before ghosts are left out
+        Survey::FindHeights(this, points, run, "input"); // before ghosts are left out
       }
       vtkFFInput input;
       input.Take(vtkFFInput::PiecesOf(data), this->SkipGhostPoints, run);
-      const vtkFFWeightSource heights(
-        heightsOf(input.GetPieces()[0]), flipflop::WeightRule(), "height");
+      Survey survey(this, input, run);
       std::optional<vtkFFConstraints> constraints;
       if (source)
       {
-        constraints.emplace(source, points, run.Ids);
+        constraints.emplace(this->SourcePoints, source, points, run.Ids);
       }
-      flipflop::TerrainMesh mesh = meshOf(input, heights, constraints,
+      flipflop::TerrainMesh mesh = meshOf(survey, constraints, source,
         { this->Tolerance, static_cast<std::int64_t>(this->MaximumNumberOfVertices) }, run);
       this->GreatestError = std::max(this->GreatestError, mesh.greatestError);
       this->NumberOfPointsBeyond += static_cast<vtkIdType>(mesh.beyond);
       this->NumberOfUnreachablePoints += static_cast<vtkIdType>(mesh.unreachable);
+      if (constraints && constraints->HasOwnPoints())
+      {
+        run.SetPart(1.0, 1.0); // for whoever asks it to stop
+        this->NumberOfAddedPoints = constraints->GetNumberOfJoinedPoints();
+        this->NumberOfHeightDifferences =
+          constraints->FindHeights(survey.GetGiven(), mesh, run.Options);
+      }
 
       vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
-      writeRest(this, mesh, input, run, vtkPolyData::GetData(outputVector, 1));
-      write(this, mesh, input, run, output);
+      survey.WriteRest(mesh, constraints, vtkPolyData::GetData(outputVector, 1));
+      survey.Write(mesh, constraints, output);
       run.AddToReport(mesh, output);
       if (this->ReportAsFieldData)
       {
-        vtkFieldData* const report = output->GetFieldData();
-        vtkFFOutput::AddValue(report, "FlipFlopGreatestError", mesh.greatestError);
-        vtkFFOutput::AddValue(report, "FlipFlopPointsBeyond", mesh.beyond);
-        vtkFFOutput::AddValue(report, "FlipFlopUnreachablePoints", mesh.unreachable);
+        this->AddToFieldData(mesh, output->GetFieldData());
       }
     });
   return run.Finish();
+}
+
+//------------------------------------------------------------------------------
+void vtkFFTerrainMeshFilter::AddToFieldData(
+  const flipflop::TerrainMesh& mesh, vtkFieldData* report) const
+{
+  vtkFFOutput::AddValue(report, "FlipFlopGreatestError", mesh.greatestError);
+  vtkFFOutput::AddValue(report, "FlipFlopPointsBeyond", mesh.beyond);
+  vtkFFOutput::AddValue(report, "FlipFlopUnreachablePoints", mesh.unreachable);
+  vtkFFOutput::AddValue(
+    report, "FlipFlopAddedPoints", static_cast<std::int64_t>(this->NumberOfAddedPoints));
+  vtkFFOutput::AddValue(report, "FlipFlopHeightDifferences",
+    static_cast<std::int64_t>(this->NumberOfHeightDifferences));
 }
 
 //------------------------------------------------------------------------------
@@ -198,6 +345,8 @@ void vtkFFTerrainMeshFilter::ForgetReport()
   this->GreatestError = 0.0;
   this->NumberOfPointsBeyond = 0;
   this->NumberOfUnreachablePoints = 0;
+  this->NumberOfAddedPoints = 0;
+  this->NumberOfHeightDifferences = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -209,5 +358,8 @@ void vtkFFTerrainMeshFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GreatestError: " << this->GreatestError << "\n";
   os << indent << "NumberOfPointsBeyond: " << this->NumberOfPointsBeyond << "\n";
   os << indent << "NumberOfUnreachablePoints: " << this->NumberOfUnreachablePoints << "\n";
+  os << indent << "SourcePoints: " << this->SourcePoints << "\n";
+  os << indent << "NumberOfAddedPoints: " << this->NumberOfAddedPoints << "\n";
+  os << indent << "NumberOfHeightDifferences: " << this->NumberOfHeightDifferences << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -28,8 +28,10 @@
  * counted by GetNumberOfUnreachablePoints(): no vertex helps them.
  *
  * The second input has the breaklines, as vtkFFConstrainedDelaunayFilter takes them: lines and
- * polygons whose sides are edges of the mesh, parted where a vertex is on them. Of polygons, only
- * the sides count. Breaklines that cross between points are an error that names both cells.
+ * polygons whose sides are edges of the mesh, parted where a vertex is on them. They name points of
+ * the input, or have points of their own, which join the others: see SetSourcePoints(). Of
+ * polygons, only the sides count. Breaklines that cross between points are an error that names both
+ * cells. vtkFFConstrainedDelaunayFilter splits them: its outputs can be the inputs of this filter.
  *
  * A height that is NaN or infinite is treated like a coordinate: see SetNonFinitePoints(). This
  * filter runs on the CPU engine; asking it for the CUDA engine is an error.
@@ -45,8 +47,14 @@
 #include "vtkFFMarks.h"               // For VTK_MARSHALAUTO
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
+namespace flipflop
+{
+struct TerrainMesh;
+}
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;
+class vtkFieldData;
 
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFTerrainMeshFilter : public vtkFFAlgorithm
 {
@@ -60,16 +68,45 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
   //@}
 
+  /**
+   * Whose points the source's cells name: as vtkFFConstrainedDelaunayFilter::SourcePointsType.
+   */
+  enum SourcePointsType
+  {
+    AUTOMATIC_POINTS = 0,
+    INPUT_POINTS = 1,
+    OWN_POINTS = 2
+  };
+
   //@{
   /**
-   * Set/Get the second input, on port 1: the breaklines. None by default. Their point ids are those
-   * of the input. The source has no points, or at the ids that its cells name the x and y of the
-   * input's.
+   * Set/Get the second input, on port 1: the breaklines. None by default. SetSourcePoints() says
+   * whose points they name.
    */
   void SetSourceData(vtkPolyData* source);
   void SetSourceConnection(vtkAlgorithmOutput* output);
   void RemoveSource() { this->SetSourceConnection(nullptr); }
   vtkPolyData* GetSource();
+  //@}
+
+  //@{
+  /**
+   * Set/Get whose points the cells of the source name. AUTOMATIC_POINTS (the default), INPUT_POINTS
+   * and OWN_POINTS are as in vtkFFConstrainedDelaunayFilter::SetSourcePoints(), and so are point
+   * data and ids of own points that join the input's. INPUT_POINTS compares x and y alone.
+   *
+   * Own points that cells name are vertices of the mesh. At the x and y of a point of the input,
+   * that point is the vertex, with its own height. The height of an own point is z; if an array of
+   * heights is chosen, it is the value of the source's point array that the same choice finds. One
+   * that is not finite is an error that names its cell.
+   *
+   * With own points, both outputs have the point arrays PointOrigin (a vtkUnsignedCharArray), 0 for
+   * points of the input and 1 for those that the source adds, and HeightRange, a vtkDoubleArray of
+   * two components: the lowest and the highest of all heights that are given for a point, by
+   * itself, by points of the source at its position, and, at a vertex, by the lines through it.
+   */
+  vtkSetClampMacro(SourcePoints, int, AUTOMATIC_POINTS, OWN_POINTS);
+  vtkGetMacro(SourcePoints, int);
   //@}
 
   //@{
@@ -102,6 +139,15 @@ public:
   vtkGetMacro(NumberOfUnreachablePoints, vtkIdType);
   //@}
 
+  //@{
+  /**
+   * Get how many points of the source the last run added, and at how many points several heights
+   * were given that differ.
+   */
+  vtkGetMacro(NumberOfAddedPoints, vtkIdType);
+  vtkGetMacro(NumberOfHeightDifferences, vtkIdType);
+  //@}
+
 protected:
   vtkFFTerrainMeshFilter();
   ~vtkFFTerrainMeshFilter() override;
@@ -111,13 +157,18 @@ protected:
     vtkInformationVector* outputVector) override;
   void ForgetReport() override;
 
+  int SourcePoints = AUTOMATIC_POINTS;
   double Tolerance = 0.0;
   vtkIdType MaximumNumberOfVertices = 0;
   double GreatestError = 0.0;
   vtkIdType NumberOfPointsBeyond = 0;
   vtkIdType NumberOfUnreachablePoints = 0;
+  vtkIdType NumberOfAddedPoints = 0;
+  vtkIdType NumberOfHeightDifferences = 0;
 
 private:
+  void AddToFieldData(const flipflop::TerrainMesh& mesh, vtkFieldData* report) const;
+
   vtkFFTerrainMeshFilter(const vtkFFTerrainMeshFilter&) = delete;
   void operator=(const vtkFFTerrainMeshFilter&) = delete;
 };

@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Terrain meshes as VTK data: heights of z or of an array, breaklines, the points that are not
-// kept. What a mesh promises, the engine's tests hold.
+// Terrain meshes as VTK data: heights of z or of an array, breaklines by ids and with points of
+// their own, the points that are not kept. What else a mesh promises, the engine's tests hold.
 #include "FFPlanar.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFTerrainMeshFilter.h"
 #include "vtkPointData.h"
 
+#include <cmath>
 #include <limits>
+#include <random>
+#include <string>
 
 using namespace fftest;
 
@@ -119,11 +123,230 @@ void testHeightsAndBreaklines()
   FF_CHECK((lines.Kept() == Ids{ 0, 1, 2, 3 }));
 }
 
+/// A survey: points at integer positions, heights in eighths.
+struct SurveyCase
+{
+  explicit SurveyCase(unsigned int seed)
+  {
+    std::mt19937_64 generator(seed);
+    const auto number = [&](unsigned int below) { return double(generator() % below); };
+    for (int i = 0; i < 150; ++i)
+    {
+      const double x = number(33), y = number(33);
+      this->Points.push_back({ x, y, 0.125 * (std::floor(0.5 * x * (24 - y)) + number(32)) });
+    }
+    for (int column = 0; column < 32; column += 4 + int(generator() % 4))
+    {
+      // It may be a point of the input, at another height.
+      const bool isThere = generator() % 4 == 0;
+      const auto& there = this->Points[generator() % this->Points.size()];
+      Point own{ column + 0.5, number(17) + 8, 0.125 * number(256) };
+      if (isThere && (this->Line.empty() || there[0] > this->Line.back()[0]) &&
+        there[0] < column + 4)
+      {
+        own = { there[0], there[1], own[2] };
+      }
+      this->Line.push_back(own);
+    }
+  }
+  vtkSmartPointer<vtkPolyData> Source() const
+  {
+    Ids line;
+    for (std::size_t i = 0; i < this->Line.size(); ++i)
+    {
+      line.push_back(static_cast<vtkIdType>(i));
+    }
+    return makeConstraints({ line }, {}, makePoints(this->Line)->GetPoints());
+  }
+  std::vector<Point> Points, Line;
+};
+
+/// How far a point is above a triangle of the mesh at its position; none there: NaN. Of integers
+/// and eighths all but the division is exact.
+double heightAbove(vtkPolyData* mesh, const Point& p)
+{
+  for (const Ids& cell : cellsOf(mesh->GetPolys()))
+  {
+    Point a[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      mesh->GetPoint(cell[static_cast<std::size_t>(i)], a[i].data());
+    }
+    double sum = 0.0, height = 0.0;
+    bool isIn = true;
+    for (int i = 0; i < 3; ++i)
+    {
+      const Point &q = a[(i + 1) % 3], &r = a[(i + 2) % 3];
+      const double area = (r[0] - q[0]) * (p[1] - q[1]) - (r[1] - q[1]) * (p[0] - q[0]);
+      isIn = isIn && area >= 0.0;
+      sum += area;
+      height += area * a[i][2];
+    }
+    if (isIn)
+    {
+      return (p[2] * sum - height) / sum;
+    }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// All points are within the tolerance, and the mesh is the constrained triangulation of the points
+/// that it keeps and the line's.
+void testSurvey(unsigned int seed, double tolerance)
+{
+  const int before = failures();
+  const SurveyCase survey(seed);
+  Meshing run(makePoints(survey.Points), tolerance);
+  run->SetSourceData(survey.Source());
+  vtkPolyData* const mesh = run.Run();
+  vtkPolyData* const rest = run->GetOutput(1);
+  std::vector<Point> kept;
+  vtkIdType added = 0;
+  for (const vtkIdType id : originalIds(mesh))
+  {
+    added += id < 0 ? 1 : 0;
+    if (id >= 0)
+    {
+      kept.push_back(survey.Points[static_cast<std::size_t>(id)]);
+    }
+  }
+  FF_CHECK(added > 0 && run->GetNumberOfAddedPoints() == added);
+  vtkNew<vtkFFConstrainedDelaunayFilter> ofKept;
+  ofKept->SetInputData(makePoints(kept));
+  ofKept->SetSourceData(survey.Source());
+  ofKept->SetSourcePoints(vtkFFConstrainedDelaunayFilter::OWN_POINTS);
+  ofKept->Update();
+  mesh->GetPointData()->RemoveArray("vtkOriginalPointIds");
+  ofKept->GetOutput()->GetPointData()->RemoveArray("vtkOriginalPointIds");
+  mesh->GetFieldData()->Initialize();
+  FF_CHECK(isIdentical(mesh, ofKept->GetOutput(), "the mesh"));
+
+  FF_CHECK_EQUAL(run->GetNumberOfPointsBeyond(), run->GetNumberOfUnreachablePoints());
+  FF_CHECK_EQUAL(rest->GetNumberOfPoints() + static_cast<vtkIdType>(kept.size()), vtkIdType(150));
+  vtkDataArray* const errors = rest->GetPointData()->GetArray("TerrainError");
+  vtkIdType beyond = 0;
+  for (vtkIdType i = 0; i < rest->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    rest->GetPoint(i, p.data());
+    const double error = heightAbove(mesh, p);
+    FF_CHECK_EQUAL(error, errors->GetComponent(i, 0));
+    beyond += std::abs(error) > tolerance ? 1 : 0;
+  }
+  FF_CHECK_EQUAL(beyond, run->GetNumberOfPointsBeyond());
+  if (failures() > before)
+  {
+    std::cerr << "seed " << seed << ", tolerance " << tolerance << "\n";
+  }
+}
+
+const std::vector<Point> corners = { { 0, 0, 1 }, { 8, 0, 1 }, { 8, 8, 1 }, { 0, 8, 1 },
+  { 4, 4, 1 } };
+
+/// The line's own points, one of them over a point of the input.
+void testOwnPoints()
+{
+  const std::vector<Point> line = { { 4, 4, 3 }, { 6, 4, 2 }, { 9, 9, 9 }, { 2, 4, 7 } };
+  const auto source = makeConstraints({ { 3, 0, 1 } }, {}, makePoints(line)->GetPoints());
+  Meshing run(makePoints(corners), 10.0);
+  run->SetSourceData(source);
+  FF_CHECK((run.Kept() == Ids{ 0, 1, 2, 3, 4, -1, -1 }));
+  vtkPointData* const data = run->GetOutput()->GetPointData();
+  Point x;
+  run->GetOutput()->GetPoint(4, x.data());
+  FF_CHECK((x == corners[4]));
+  run->GetOutput()->GetPoint(5, x.data());
+  FF_CHECK((x == line[1]));
+  FF_CHECK_EQUAL(data->GetArray("PointOrigin")->GetComponent(4, 0), 0.0);
+  FF_CHECK_EQUAL(data->GetArray("PointOrigin")->GetComponent(6, 0), 1.0);
+  FF_CHECK_EQUAL(data->GetArray("HeightRange")->GetComponent(4, 0), 1.0);
+  FF_CHECK_EQUAL(data->GetArray("HeightRange")->GetComponent(4, 1), 3.0);
+  FF_CHECK_EQUAL(run->GetNumberOfAddedPoints(), 2);
+  FF_CHECK_EQUAL(run->GetNumberOfHeightDifferences(), 1);
+  FF_CHECK_EQUAL(reported(run->GetOutput(), "AddedPoints"), 2.0);
+  FF_CHECK_EQUAL(reported(run->GetOutput(), "HeightDifferences"), 1.0);
+  FF_CHECK(run->GetOutput(1)->GetPointData()->GetArray("PointOrigin") != nullptr);
+
+  run->SetSourcePoints(vtkFFTerrainMeshFilter::INPUT_POINTS);
+  run.Fail("If they are its own, set Source Points to Own Points.", vtkFFErrorCode::InputError);
+  run->SetSourcePoints(vtkFFTerrainMeshFilter::OWN_POINTS);
+  run->SetSourceData(makeConstraints({ { 0, 4 } }, {}, makePoints(corners)->GetPoints()));
+  run.Run();
+  FF_CHECK_EQUAL(run->GetNumberOfAddedPoints(), 0);
+  FF_CHECK(run->GetOutput()->GetPointData()->GetArray("PointOrigin") != nullptr);
+  run->SetSourcePoints(vtkFFTerrainMeshFilter::AUTOMATIC_POINTS);
+  FF_CHECK(run.Run()->GetPointData()->GetArray("PointOrigin") == nullptr);
+
+  run->SetSourceData(makeConstraints({ { 0, 1 }, { 2, 3 } }, {},
+    makePoints({ { 1, 1, 0 }, { 3, 3, 0 }, { 1, 3, 0 }, { 3, 1, 0 } })->GetPoints()));
+  run.Fail("An edge of cell 1 of the source crosses one of cell 0 of the source, and there is no "
+           "point where they do. Add one to both.",
+    vtkFFErrorCode::ConstraintError);
+  run->SetSourceData(makeConstraints(
+    { { 0, 1 } }, {}, makePoints({ { 1, 1, 0 }, { 3, 3, notANumber } })->GetPoints()));
+  run.Fail(
+    "Point 1 of cell 0 of the source is left out: it has a coordinate that is NaN or infinite.",
+    vtkFFErrorCode::ConstraintError);
+
+  // A point without a height is no point of the line's.
+  std::vector<Point> unknown = corners;
+  unknown[4][2] = notANumber;
+  Meshing left(makePoints(unknown), 10.0);
+  left->SetSourceData(source);
+  left->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE);
+  FF_CHECK((left.Kept() == Ids{ 0, 1, 2, 3, -1, -1, -1 }));
+
+  // Ghost points are left out.
+  const auto ghosts = makePoints(corners);
+  addGhosts(ghosts, { 1 });
+  Meshing skipping(ghosts, 10.0);
+  skipping->SetSourceData(source);
+  FF_CHECK((skipping.Kept() == Ids{ 0, 2, 3, 4, -1, -1 }));
+}
+
+/// Their heights are those of the source's array of the same choice.
+void testOwnHeights()
+{
+  const auto withDepth = [](const std::vector<Point>& points, const std::vector<double>& values)
+  {
+    vtkSmartPointer<vtkPolyData> data = makePoints(points);
+    vtkNew<vtkDoubleArray> depth;
+    depth->SetName("depth");
+    for (const double value : values)
+    {
+      depth->InsertNextValue(value);
+    }
+    data->GetPointData()->AddArray(depth);
+    return data;
+  };
+  const auto input = withDepth(corners, { 0, 0, 0, 0, 4 });
+  const auto source = withDepth({ { 2, 4, 9 }, { 6, 4, 9 } }, { 4, 4 });
+  source->SetLines(makeCells({ { 0, 1 } }));
+  Meshing run(input, 0.0);
+  run->SetSourceData(source);
+  run->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "depth");
+  // Point 4 is on the line in space, so it is not needed.
+  FF_CHECK((run.Kept() == Ids{ 0, 1, 2, 3, -1, -1 }));
+  vtkPointData* const data = run->GetOutput()->GetPointData();
+  FF_CHECK_EQUAL(data->GetArray("depth")->GetComponent(5, 0), 4.0);
+  FF_CHECK_EQUAL(data->GetArray("HeightRange")->GetComponent(5, 1), 4.0);
+  FF_CHECK((originalIds(run->GetOutput(1)) == Ids{ 4 }));
+  source->GetPointData()->RemoveArray("depth");
+  run.Fail("The heights' array \"depth\" is missing from the source's point data.",
+    vtkFFErrorCode::InputError);
+}
+
 }
 
 int TestFFTerrainMeshFilter(int, char*[])
 {
   testTolerance();
   testHeightsAndBreaklines();
+  for (unsigned int seed = 0; seed < 60; ++seed)
+  {
+    testSurvey(seed, 0.5 * (seed % 7));
+  }
+  testOwnPoints();
+  testOwnHeights();
   return result();
 }

@@ -113,6 +113,7 @@ DEFAULTS = {
         "Tolerance": 1.0,
         "MaximumNumberOfVertices": 0,
         "Heights": ["POINTS", "None"],
+        "SourcePoints": "Automatic",
     },
 }
 PORTS = {

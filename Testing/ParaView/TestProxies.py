@@ -252,6 +252,13 @@ class TestPlane(unittest.TestCase):
         mesh.MaximumNumberOfVertices = 50
         self.assertEqual(fetch(run(mesh)).GetNumberOfPoints(), 50)
         self.assertGreater(mesh.NumberOfPointsBeyond, 0)
+        # A breakline with points of its own.
+        line = simple.PolyLineSource(Points=[563000, 5112000, 900, 563500, 5113000, 1000])
+        mesh.MaximumNumberOfVertices, mesh.Heights = 0, ["POINTS", "None"]
+        mesh.Source = line
+        origins = array(fetch(run(mesh)).GetPointData(), "PointOrigin")
+        self.assertEqual(np.count_nonzero(origins == 1), 2)
+        self.assertEqual(fetch(mesh).GetFieldData().GetArray("FlipFlopAddedPoints").GetTuple1(0), 2)
 
     def test_lines(self):
         triangulation = run(simple.DelaunayTriangulation2DFlipFlop(Input=cloud(KITE)))

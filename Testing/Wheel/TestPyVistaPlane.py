@@ -221,6 +221,38 @@ def test_terrain_meshes():
         terrain_mesh(pv.MultiBlock([mesh]), points[:, 2])
 
 
+def test_terrain_meshes_with_lines():
+    x, y = np.meshgrid(np.arange(30.0), np.arange(20.0), indexing="ij")
+    points = np.column_stack([x.ravel(), y.ravel(), 2 * np.sin(x / 4).ravel() * np.cos(y / 3).ravel()])
+    mesh = pv.PolyData(points)
+    mesh.point_data["depth"] = -2 * points[:, 2]
+    own = np.array([[0.5, 3.5, 4], [20.5, 15.25, 6], [3, 17, 1], [25.5, 2.5, 1]])
+    lines = pv.PolyData(own, lines=[2, 0, 1, 2, 2, 3])
+    lines.point_data["depth"] = np.arange(4.0)
+    wanted = arrays.terrain_mesh(points, tolerance=0.2, lines=[own[:2], own[2:]])
+    for given in (lines, [own[:2], own[2:]]):
+        found, rest = terrain_mesh(mesh, tolerance=0.2, lines=given, return_hidden_points=True)
+        assert np.array_equal(found.points, wanted.joined.points[wanted.vertices])
+        assert np.array_equal(wanted.vertices[found.regular_faces], wanted.simplices)
+        assert np.array_equal(found["PointOrigin"], wanted.joined.point_origin[wanted.vertices])
+        assert np.array_equal(found["HeightRange"], wanted.joined.height_range[wanted.vertices])
+        assert (found["PointOrigin"] > 0).sum() == 4 and (found["vtkOriginalPointIds"] == -1).sum() == 4
+        ids = rest["vtkOriginalPointIds"]
+        assert np.array_equal(rest["TerrainError"], wanted.errors[ids]) and abs(rest["TerrainError"]).max() <= 0.2
+        assert rest.n_points + found.n_points == 604 and not rest["PointOrigin"].any()
+        added = found["depth"][found["PointOrigin"] == 1]
+        assert added.tolist() == [0, 1, 3] if given is lines else np.isnan(added).all()
+    with pytest.raises(TypeError, match="lines are for one data set, and the mesh is a composite"):
+        terrain_mesh(pv.MultiBlock([mesh]), lines=lines)
+    with pytest.raises(ValueError, match="breaklines are constraints or lines, not both"):
+        terrain_mesh(mesh, constraints=[[0, 1]], lines=lines)
+    with pytest.raises(ValueError, match="lines have their heights in z: leave heights out"):
+        terrain_mesh(mesh, "depth", lines=lines)
+    own[1, 2] = np.nan
+    with pytest.raises(InputError, match="point 1 of cell 0 of lines, .* has a coordinate that is NaN or infinite"):
+        terrain_mesh(mesh, lines=pv.PolyData(own, lines=[2, 0, 1]))
+
+
 def test_cells_of_prescribed_areas():
     mesh = cloud(40)
     shares = np.arange(1.0, 41)

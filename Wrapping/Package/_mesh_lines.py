@@ -44,6 +44,19 @@ def lines_of_call(values: Any, closed_are_rings: bool) -> Lines:
     return Lines(points.astype(np.float64), np.concatenate([ends, sides]), len(sides), cells[chain_of], names, chain_of)
 
 
+def breaklines_of_call(values: Any, constraints: Any, heights: Any, composite: bool) -> tuple[Any, Lines] | None:
+    """The lines of a terrain mesh, as they were given and as they are read; None: there are none."""
+    if values is None:
+        return None
+    if composite:
+        raise TypeError("lines are for one data set, and the mesh is a composite")
+    if constraints is not None:
+        raise ValueError("breaklines are constraints or lines, not both")
+    if heights is not None:
+        raise ValueError("lines have their heights in z: leave heights out, and give the mesh's points theirs there")
+    return values, lines_of_call(values, False)
+
+
 def _require_points(points: NDArray[Any], chains: list[Ids], first: int) -> None:
     """All chains' points are there, and finite."""
     is_finite = np.isfinite(points).all(axis=1)
@@ -63,21 +76,29 @@ def _require_points(points: NDArray[Any], chains: list[Ids], first: int) -> None
 def mesh_of(cloud: Cloud, found: JoinedTriangulation, lines: Any, pass_point_data: bool) -> pv.PolyData:
     """The triangulation as a mesh, with the points' data, the lines' and marks."""
     core = found._core
-    vertices: Ids = core.vertices()
-    given = len(cloud.array)
-    made = cloud.mesh(cloud.ids(vertices[vertices < given]), pass_point_data)
-    new = vertices[vertices >= given]
-    if len(new):
-        made = _with_added(made, found, new, lines, given)
-    made.point_data["PointOrigin"] = found.point_origin[vertices]
-    if found.height_range is not None:
-        made.point_data["HeightRange"] = found.height_range[vertices]
+    made = points_of_mesh(cloud, found, core.vertices(), lines, pass_point_data)
     set_cells(made, core.dimension, core.cell_size, None if core.cell_size else core.offsets(), core.connectivity())
     return made
 
 
-def _with_added(base: pv.PolyData, found: JoinedTriangulation, new: Ids, lines: Any, given: int) -> pv.PolyData:
-    """The mesh with these points, too. Where lines cross, data is linear along the first."""
+def points_of_mesh(
+    cloud: Cloud, found: JoinedTriangulation, vertices: Ids, lines: Any, pass_point_data: bool
+) -> pv.PolyData:
+    """The same without cells, of these points alone: all that were added, or none of them."""
+    given = len(cloud.array)
+    made = cloud.mesh(cloud.ids(vertices[vertices < given]), pass_point_data)
+    new = vertices[vertices >= given]
+    if len(new):
+        made = _with_added(made, found, vertices, lines, given)
+    made.point_data["PointOrigin"] = found.point_origin[vertices]
+    if found.height_range is not None:
+        made.point_data["HeightRange"] = found.height_range[vertices]
+    return made
+
+
+def _with_added(base: pv.PolyData, found: JoinedTriangulation, vertices: Ids, lines: Any, given: int) -> pv.PolyData:
+    """The mesh with the added ones of these points, too. Where lines cross, data is linear along the first."""
+    new = vertices[vertices >= given]
     positions = found.points[new]
     if positions.shape[1] == 2:
         positions = np.column_stack([positions, np.zeros(len(new))])
@@ -85,7 +106,7 @@ def _with_added(base: pv.PolyData, found: JoinedTriangulation, new: Ids, lines: 
     points = np.concatenate([np.asarray(base.points, np.float64), positions])
     made.SetPoints(pv.vtk_points(points, deep=True, force_float=False))
     own = pv.wrap(lines).point_data if hasattr(lines, "IsA") else {}
-    vertices, shares = found._core.vertices(), _shares(found)
+    shares = _shares(found)
     crossed = np.searchsorted(vertices, found._crossed)
     for name in [name for name in base.point_data.keys() if name != "vtkOriginalPointIds"]:
         old = np.asarray(base.point_data[name])

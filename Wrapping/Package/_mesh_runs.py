@@ -17,13 +17,14 @@ from ._constraints import Constraints, PolygonRule
 from ._domain import Domain
 from ._errors import AbortedError, FlipFlopError, InputError
 from ._geometries import Lines
-from ._lines import joined_triangulation
+from ._lines import JoinedTriangulation, joined_triangulation
 from ._mesh_constraints import CloudConstraints
-from ._mesh_lines import mesh_of
+from ._mesh_lines import mesh_of, points_of_mesh
 from ._meshes import LEAVES, Block, Cloud, blocks_of, composite_of, is_tree, pass_field_data, set_cells
 from ._projection import Projection
-from ._results import ENGINES, QUIET, Progress, Report, report_of, stretch
+from ._results import ENGINES, QUIET, Ids, Progress, Report, report_of, stretch
 from ._surfaces import by_cell, surface_of
+from ._terrain import mesh_with_lines
 
 Output = pv.PolyData | pv.MultiBlock | pv.PartitionedDataSet
 # So many blocks at fault are named at most.
@@ -127,6 +128,7 @@ class Run:
         block: Block,
         heights: Weights,
         constraints: Constraints | None,
+        lines: tuple[Any, Lines] | None,
         limits: tuple[float, int],
         report: Report,
         rest: bool,
@@ -135,18 +137,32 @@ class Run:
         levels = cloud.weights(heights, self._ignore, "height")
         if levels is None and cloud.array.shape[1] == 2:
             raise ValueError("points of two coordinates take heights")
-        given = CloudConstraints(constraints or Constraints(None, None), cloud, True)
-        arguments = cloud.array, levels, given.ends, *limits, self._settings(cloud, report)
-        found = cloud.engine(given.engine, _core.terrain_mesh, *arguments)
-        vertices = found["vertices"]
-        made = [cloud.mesh(cloud.ids(vertices), self._pass_data)]
-        simplices = found["simplices"]
+        joined: JoinedTriangulation | None = None
+        if lines is None:
+            given = CloudConstraints(constraints or Constraints(None, None), cloud, True)
+            arguments = cloud.array, levels, given.ends, *limits, self._settings(cloud, report)
+            found = cloud.engine(given.engine, _core.terrain_mesh, *arguments)
+        else:
+
+            def part(begin: float, end: float) -> Any:
+                return self._settings(cloud, stretch(report, begin, end))
+
+            mesh = cloud.engine(mesh_with_lines, cloud.array, levels, lines[1], limits, cloud.left_out, part)
+            found, joined = vars(mesh), mesh.joined
+
+        def points_of(rows: Ids) -> pv.PolyData:
+            if joined is None or lines is None:
+                return cloud.mesh(cloud.ids(rows), self._pass_data)
+            return points_of_mesh(cloud, joined, rows, lines[0], self._pass_data)
+
+        vertices, simplices = found["vertices"], found["simplices"]
+        made = [points_of(vertices)]
         set_cells(made[0], found["dimension"], simplices.shape[1], None, np.searchsorted(vertices, simplices.ravel()))
         if rest:
-            left = np.ones(len(cloud.array), bool)
+            left = ~np.isnan(found["errors"])
             left[vertices] = False
-            rows = np.flatnonzero(left & ~np.isnan(found["errors"]))
-            made.append(cloud.mesh(cloud.ids(rows), self._pass_data))
+            rows = np.flatnonzero(left)
+            made.append(points_of(rows))
             set_cells(made[1], 0, 1, None, np.arange(len(rows)))
             made[1].point_data["TerrainError"] = found["errors"][rows]
         return made

@@ -4,17 +4,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from operator import index
-from typing import ClassVar
+from typing import Any, ClassVar
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import float_of
 from ._constraints import Chains, Constraints
 from ._errors import InputError
+from ._geometries import Lines, lines_of
 from ._input import column_of, points_of
-from ._results import Floats, Frozen, Ids, NonFinite, Progress, ignores, named, run, settings
+from ._lines import JoinedTriangulation, joined_triangulation
+from ._results import Floats, Frozen, Ids, NonFinite, Progress, ignores, named, report_of, settings, stretch
 
 
 class TerrainMesh(Frozen):
@@ -26,7 +30,7 @@ class TerrainMesh(Frozen):
     Attributes
     ----------
     vertices : ndarray
-        ids of the points that were kept, ascending
+        ids of the points that were kept, ascending; with lines, of the points of `joined`
     simplices : ndarray of m by 3
         the triangles as ids, counter-clockwise; m by 2 where all points are on one line
     fixed_edges : ndarray of k by 2
@@ -34,14 +38,17 @@ class TerrainMesh(Frozen):
     constraint_of : ndarray
         for each of these the first constraint that runs along it: of polylines, all pairs of consecutive ids
     errors : ndarray
-        for each point given how far it is above the mesh, the true number rounded to the nearest double; 0 at vertices,
-        NaN where a point was left out
+        for each point how far it is above the mesh, the true number rounded to the nearest double; 0 at vertices, NaN
+        where a point was left out
     greatest_error : float
         the greatest magnitude among them
     beyond : int
         how many points are farther than the tolerance; 0: it is met, exactly
     unreachable : int
         how many of these are at the position of a vertex, which has another height
+    joined : JoinedTriangulation or None
+        with lines, the triangulation of all points and theirs: `joined.points` are those given, then those that lines
+        add, then those where lines cross; `joined.geometry_of[constraint_of]` are the geometries
     dimension : int
         of what the points span in x and y: -1 (no point) to 2
     statistics : dict
@@ -56,6 +63,7 @@ class TerrainMesh(Frozen):
     greatest_error: float
     beyond: int
     unreachable: int
+    joined: JoinedTriangulation | None
     dimension: int
     statistics: dict[str, float]
     _call: ClassVar[str] = "terrain_mesh(points, tolerance=...)"
@@ -77,14 +85,15 @@ def terrain_mesh(
     tolerance: float = 0.0,
     max_vertices: int | None = None,
     constraints: Chains | None = None,
+    lines: Any = None,
     threads: int = 0,
     non_finite: NonFinite = "error",
     progress: Progress = None,
 ) -> TerrainMesh:
     """A mesh of some of the points, from which no other point is farther, vertically, than the tolerance: exactly.
 
-    It begins with the corners of the convex hull and the ends of constraints; then the worst point becomes a vertex,
-    again and again.
+    It begins with the corners of the convex hull, the ends of constraints and the points of lines; then the worst point
+    becomes a vertex, again and again.
 
     Parameters
     ----------
@@ -98,6 +107,9 @@ def terrain_mesh(
         no point is inserted once there are so many. By default there is no limit.
     constraints : m by 2 ids, or a sequence of polylines, optional
         breaklines, as regular_triangulation() takes them: they are edges, parted where a vertex is on them
+    lines : geometries, optional
+        instead, breaklines with points of their own, as constrained_triangulation() takes them, which says which points
+        they add, where they cross, too, and at which heights. Of polygons, only the sides count.
     threads, non_finite, progress
         see the module; a height that is not finite is like such a coordinate
 
@@ -123,14 +135,46 @@ def terrain_mesh(
             raise InputError(text, "bad_argument", len(array), len(levels))
     elif array.shape[1] == 2:
         raise ValueError("points of two coordinates take heights: pass heights, or points of three coordinates")
-    given = Constraints(constraints, None)
-    chosen = settings(threads, "triangles", non_finite, "cpu", progress, left_out)
-    try:
-        found = run(chosen, _core.terrain_mesh, array, levels, given.ends, *limits)
-    except InputError as error:
-        raise given.of_error(error) from None
+    with report_of(progress) as report:
+
+        def part(begin: float, end: float) -> Any:
+            return settings(threads, "triangles", non_finite, "cpu", stretch(report, begin, end), left_out)[0]
+
+        if lines is not None:
+            if constraints is not None:
+                raise ValueError("breaklines are constraints or lines, not both")
+            return mesh_with_lines(array, levels, lines_of(lines, False), limits, left_out, part)
+        given = Constraints(constraints, None)
+        try:
+            found = _core.terrain_mesh(array, levels, given.ends, *limits, part(0.0, 1.0))
+        except InputError as error:
+            raise given.of_error(error) from None
     found["statistics"] = named(found["statistics"])
-    return TerrainMesh._of(**found)
+    return TerrainMesh._of(joined=None, **found)
+
+
+def mesh_with_lines(
+    array: NDArray[Any],
+    levels: NDArray[Any] | None,
+    lines: Lines,
+    limits: tuple[float, int],
+    left_out: bool,
+    part: Callable[[float, float], Any],
+) -> TerrainMesh:
+    """The mesh of points and lines of their own, with the settings of each part of the run."""
+    whole = np.array(array[:, :3] if levels is None else np.column_stack([array[:, :2], levels]), np.float64)
+    whole[~np.isfinite(whole[:, 2]), 0] = np.nan  # such a point is no line's
+    joined = joined_triangulation(
+        whole, lines._replace(sides=0), "even-odd", left_out, lambda begin, end: part(0.5 * begin, 0.5 * end)
+    )
+    outside = len(array) + np.flatnonzero(np.isnan(joined.points[len(array) :, 2]))
+    if len(outside):
+        first = tuple(joined.points[outside[0], :2].tolist())
+        sentence = f"lines without heights leave the points' hull: first at {first}, {len(outside)} such point(s) in all"
+        raise InputError(sentence, "bad_argument", int(outside[0]), len(outside))
+    found = _core.terrain_mesh(joined.points, None, joined.constraints, *limits, part(0.5, 1.0))
+    found["statistics"] = named(found["statistics"])
+    return TerrainMesh._of(joined=joined, **found)
 
 
 def limits_of(tolerance: float, vertices: int | None) -> tuple[float, int]:

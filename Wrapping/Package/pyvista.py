@@ -37,7 +37,7 @@ from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOf
 from ._constraints import PolygonRule
 from ._mesh_constraints import constraints_of_call
 from ._mesh_image import to_image
-from ._mesh_lines import lines_of_call
+from ._mesh_lines import breaklines_of_call, lines_of_call
 from ._mesh_runs import Output, Run, each_block
 from ._mesh_transport import centroidal_cells, prescribed_areas
 from ._meshes import Block, blocks_of, data_of, is_tree, pass_field_data
@@ -469,6 +469,7 @@ def terrain_mesh(
     tolerance: float = 0.0,
     max_vertices: int | None = None,
     constraints: Any = None,
+    lines: Any = None,
     return_hidden_points: Literal[False] = False,
     threads: int = 0,
     non_finite: NonFinite = "error",
@@ -486,6 +487,7 @@ def terrain_mesh(
     tolerance: float = 0.0,
     max_vertices: int | None = None,
     constraints: Any = None,
+    lines: Any = None,
     return_hidden_points: Literal[True],
     threads: int = 0,
     non_finite: NonFinite = "error",
@@ -502,6 +504,7 @@ def terrain_mesh(
     tolerance: float = 0.0,
     max_vertices: int | None = None,
     constraints: Any = None,
+    lines: Any = None,
     return_hidden_points: bool = False,
     threads: int = 0,
     non_finite: NonFinite = "error",
@@ -525,6 +528,8 @@ def terrain_mesh(
         no point is inserted once there are so many. By default there is no limit.
     constraints : PolyData, or sequences of ids, optional
         breaklines, as regular_triangulation() takes them: edges of the mesh. Of polygons, only the sides count.
+    lines : PolyData, or geometries, optional
+        instead, breaklines with points of their own, as constrained_triangulation() takes them; all heights are z then
     return_hidden_points : bool
         also return the points that are not in the mesh, with the point array "TerrainError": how far each is above it
     threads, non_finite, skip_ghost_points, pass_point_data, progress
@@ -533,7 +538,8 @@ def terrain_mesh(
     Returns
     -------
     pyvista.PolyData, or a pair of them
-        the mesh, and the other points as vertices. Or composites of these.
+        the mesh, and the other points as vertices; with lines, both have the point arrays "PointOrigin" and
+        "HeightRange" of constrained_triangulation(). Or composites of these.
 
     Raises
     ------
@@ -549,9 +555,10 @@ def terrain_mesh(
         raise TypeError("the heights of a composite are the name of a point array")
     levels = Weights(heights, False, 1.0)
     given = constraints_of_call(constraints, "even-odd", is_tree(data), False)
+    own = breaklines_of_call(lines, constraints, heights, is_tree(data))
 
     def meshed(block: Block, report: Report) -> list[pv.PolyData]:
-        return run.terrain(block, levels, given, limits, report, both)
+        return run.terrain(block, levels, given, own, limits, report, both)
 
     outputs = each_block(data, meshed, 2 if both else 1, progress)
     return (outputs[0], outputs[1]) if both else outputs[0]
