@@ -39,14 +39,20 @@ def test(window):
     yield from window.stands_still()
     window.screen("window.png")
     names = {name for name, _ in simple.GetSources()}
-    gui.check_equal(names, {"autzen.vtp", "Surface", "Flat", "Outline", "Density"})
-    surface = simple.FindSource("Surface")
-    gui.check_equal(surface.MaximumEdgeLength, 250.0)
+    texts = {"About the points", "About the mesh", "About the others", "About the raster"}
+    gui.check_equal(names, {"sainthelens.vtp", "Line", "Rim", "Mesh", "Pixels", "Raster", "Relief"} | texts)
+    mesh = simple.FindSource("Mesh")
     simple.SaveScreenshot(by_state, simple.GetLayout(simple.GetActiveView()), ImageResolution=SIZE)
     check(by_state)
-    # The triangles that are left out are those with a longer edge.
-    dropped = surface.FieldData["FlipFlopDroppedCells"].GetRange()[0]
-    assert dropped > 0, dropped
+    # What the texts say of the mesh is so.
+    kept = mesh.GetDataInformation().GetNumberOfPoints()
+    others = simple.OutputPort(mesh, 1).GetDataInformation().GetNumberOfPoints()
+    added, beyond = (int(mesh.FieldData[f"FlipFlop{name}Points"].GetRange()[0]) for name in ("Added", "Unreachable"))
+    gui.check_equal((kept + others - added, added, beyond), (17004, 14, 0))
+    assert f"{kept:,} vertices" in simple.FindSource("About the mesh").Text
+    assert f"{others:,} points" in simple.FindSource("About the others").Text
+    greatest = mesh.FieldData["FlipFlopGreatestError"].GetRange()[0]
+    assert 19 < greatest <= mesh.Tolerance == 20.0, greatest
 
     by_trace = os.path.join(gui.output, "trace.png")
     script = os.path.join(EXAMPLES, "survey.py")
@@ -56,6 +62,18 @@ def test(window):
     )  # fmt: skip
     gui.check_equal((result.returncode, result.stderr), (0, ""))
     check(by_trace)
+
+    # In the window, the trace selects the filter to try, so that its panel shows. A state selects nothing.
+    os.chdir(SOURCE)
+    session = {}
+    with open(script) as file:
+        exec(compile(file.read(), script, "exec"), session)
+    gui.check_equal(simple.GetActiveSource(), session["mesh"])
+    yield from window.show_properties()
+    panel = window.find(gui.QtWidgets.QWidget, "propertiesPanel")
+    yield panel.findChild(gui.QtWidgets.QWidget, "Tolerance").isVisible
+    yield from window.stands_still()
+    window.screen("selected.png")
     gui.check_equal(window.messages(), "")
 
 
