@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The Python of pages runs as it is printed, and prints what its comments say: README.md and two others, the tutorials as
-notebooks, and the arrays' examples.
+notebooks, and the arrays' examples. A tutorial's pictures are those that its code draws.
 
 What imports something that is not installed is left out, with all after it: it uses that, too. In the cookbook, and for
 VTK classes that do not fit the VTK that is there, a block stands for itself.
@@ -14,6 +14,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from vtkflipflop import _vtk_check
@@ -21,6 +22,7 @@ from vtkflipflop import _vtk_check
 TOP = Path(__file__).resolve().parents[2]
 EXAMPLES = TOP / "Examples" / "Python" / "Arrays"
 TUTORIALS = TOP / "Documentation" / "Tutorials"
+FIGURES = TOP / "Documentation" / "Figures"
 sys.path.insert(0, str(TOP / "Documentation"))
 import notebooks  # noqa: E402
 
@@ -90,11 +92,51 @@ def test_every_page_with_python_is_a_notebook(written):
 
 
 @pytest.mark.parametrize("page", NOTEBOOKS)
-def test_notebook(page, written, capsys, monkeypatch):
+def test_notebook(page, written, capsys, monkeypatch, tmp_path):
     monkeypatch.chdir(written[page].parent)  # where Jupyter starts
+    draw_into(tmp_path, monkeypatch)
     cells = json.loads(written[page].read_text())["cells"]
     code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
-    assert run(page, code, capsys, 2) >= 2 or page == "Cookbook"
+    ran = run(page, code, capsys, 2)
+    assert ran >= 2 or page == "Cookbook"
+    if ran == len(code):
+        check_pictures((TUTORIALS / f"{page}.md").read_text(), tmp_path)
+
+
+def draw_into(folder, monkeypatch):
+    """Files of pictures go there."""
+    if importlib.util.find_spec("pyvista") is None:
+        return
+    try:
+        plotter = importlib.import_module("pyvista.plotting").Plotter
+    except ImportError:
+        return
+    screenshot = plotter.screenshot
+
+    def into_folder(scene, filename=None, **settings):
+        return screenshot(scene, filename and str(folder / filename), **settings)
+
+    monkeypatch.setattr(plotter, "screenshot", into_folder)
+
+
+def check_pictures(page, folder):
+    """Those that the page shows are those that were drawn, in 256 colours."""
+    drawn = sorted(path.name for path in folder.iterdir())
+    assert drawn == sorted(re.findall(r"\]\(\.\./Figures/([\w-]+\.png)\)", page))
+    for name in drawn:
+        assert (FIGURES / name).stat().st_size < 150_000, name
+        sizes, pixels = zip(*map(pixels_of, (FIGURES / name, folder / name)))
+        assert sizes[0] == sizes[1], name
+        assert 0.05 < np.mean((pixels[0] != 255).any(axis=1)) < 0.95, name
+        # Another renderer may draw edges a little differently.
+        assert np.abs(pixels[0] - pixels[1]).mean() < 1.5, name
+
+
+def pixels_of(path):
+    import pyvista
+
+    image = pyvista.read(path)
+    return image.dimensions, np.asarray(image.active_scalars, float)[:, :3]
 
 
 @pytest.mark.parametrize("example", sorted(EXAMPLES.glob("*.py")), ids=lambda path: path.name)
