@@ -53,6 +53,14 @@ def test_the_page_shows_every_script_and_picture():
         assert 0.05 < share_drawn(FIGURES / picture) < 0.95
 
 
+def test_readme_s_picture_has_the_figures_that_were_printed():
+    readme = (TOP / "README.md").read_text(encoding="utf-8")
+    (caption, picture), *_ = re.findall(r"!\[([^\]]+)\]\(Documentation/Figures/([\w-]+\.png)\)", readme)
+    (printed,) = (lines for pictures, lines in sections(PAGE).values() if picture in pictures)
+    figures = re.findall(r"[\d,]*\d", caption)
+    assert len(figures) > 3 and set(figures) <= set(re.findall(r"[\d,]*\d", " ".join(printed))), figures
+
+
 def without_vtk_s_own(lines):
     """What VTK's own filters give may change from version to version."""
     return [re.sub(r"vtkDelaunay\dD: .*", "", line) for line in lines]
