@@ -11,14 +11,8 @@ the plane, without weights and with. A power diagram of a few disks is there wit
 The VTK filters compute; with --paraview, in pvpython, the plugin that PV_PLUGIN_PATH names does:
 
     pvpython demo.py --paraview --output demo-output/paraview Data/*.vtp
-
-A few files are also pictured side by side, in the order given: hulls.png and triangulations.png.
-README's picture has the first of the one and the last two of the other, of this command:
-
-    ./demo.sh Data/spot.vtp Data/sainthelens.vtp Data/autzen.vtp
 """
 import argparse
-import functools
 import pathlib
 
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
@@ -38,10 +32,6 @@ def write(data, path):
         raise SystemExit(f"cannot write {path}")
 
 
-def draw_alone(scene, path):
-    draw(path, [scene], [1500], 1050, 1.6)
-
-
 def print_table(head, rows, texts):
     """The first columns, which hold text, to the left; the others to the right."""
     rows = [head] + rows
@@ -54,40 +44,30 @@ def print_table(head, rows, texts):
 
 
 def hulls(filters, sets, folder):
-    """For each (name, points) NAME-hull.vtp and NAME.png; hulls.png of two to four; the table."""
+    """For each (name, points) NAME-hull.vtp and NAME.png; the table."""
     rows = []
-    scenes = []
     for name, points in sets:
         hull, volume, engine, seconds = filters.hull(points)
         write(hull, folder / f"{name}-hull.vtp")
-        scenes.append(functools.partial(hull_scene, name, points, hull))
-        draw_alone(scenes[-1], folder / f"{name}.png")
+        draw(folder / f"{name}.png", hull_scene, name, points, hull)
         sizes = points.GetNumberOfPoints(), hull.GetNumberOfPoints(), hull.GetNumberOfCells()
         rows.append(
             [name, *(f"{size:,}" for size in sizes), f"{volume:.6g}", engine, f"{seconds:.4f}"]
         )
-    if 2 <= len(scenes) <= 4:
-        draw(folder / "hulls.png", scenes, [600] * len(scenes), 500, 1.0)
     head = ["hull of", "points", "hull vertices", "facets", "volume", "engine", "seconds"]
     print_table(head, rows, texts=1)
 
 
 def triangulations(filters, sets, folder):
-    """For each terrain NAME-delaunay and NAME-weighted, .vtp and .png; power-diagram; the table.
-
-    triangulations.png has the first terrain without weights, the last one with, and the diagram.
-    """
+    """For each terrain NAME-delaunay and NAME-weighted, .vtp and .png; power-diagram; the table."""
     rows = []
-    together = []
 
     def show(file, texts, outputs, engine, seconds, scene, *arguments):
-        """A row of the table, which begins with texts, and the scene, which is pictured alone."""
+        """A row of the table, which begins with texts, and a picture of the scene."""
         visible, hidden = (data.GetNumberOfPoints() for data in outputs[:2])
         sizes = visible + hidden, visible, hidden, outputs[0].GetNumberOfPolys()
         rows.append([*texts, *(f"{size:,}" for size in sizes), engine, f"{seconds:.4f}"])
-        scene = functools.partial(scene, *arguments, outputs)
-        draw_alone(scene, folder / f"{file}.png")
-        return scene
+        draw(folder / f"{file}.png", scene, *arguments, outputs)
 
     for name, points in (entry for entry in sets if is_terrain(entry[1])):
         outputs, *report = filters.triangulation(points)
@@ -95,8 +75,7 @@ def triangulations(filters, sets, folder):
             continue  # all on a line
         file = f"{name}-delaunay"
         write(outputs[0], folder / f"{file}.vtp")
-        plain = show(file, [name, "none"], outputs, *report, surface_scene, name, None)
-        together[:] = together[:1] or [plain]
+        show(file, [name, "none"], outputs, *report, surface_scene, name, None)
 
         with_weights, brief, what = weighted(points, outputs[0])
         if not with_weights:
@@ -106,17 +85,14 @@ def triangulations(filters, sets, folder):
         file = f"{name}-weighted"
         write(outputs[0], folder / f"{file}.vtp")
         write(outputs[1], folder / f"{name}-hidden.vtp")
-        together[1:] = [show(file, [name, brief], outputs, *report, surface_scene, name, brief)]
+        show(file, [name, brief], outputs, *report, surface_scene, name, brief)
 
     sites = disks()
     outputs, *report = filters.triangulation(sites, WEIGHTS, (-0.1, 1.1, -0.1, 1.1))
     file = "power-diagram"
     write(outputs[2], folder / f"{file}.vtp")
-    together.append(show(file, ["disks", "radius^2"], outputs, *report, diagram_scene, sites))
+    show(file, ["disks", "radius^2"], outputs, *report, diagram_scene, sites)
 
-    if len(together) > 1:  # the diagram is not as wide
-        widths = [550] * (len(together) - 1) + [400]
-        draw(folder / "triangulations.png", together, widths, 420, 0.8)
     head = ["triangulation of", "weights", "points", "visible", "hidden", "triangles", "engine"]
     print_table(head + ["seconds"], rows, texts=2)
 

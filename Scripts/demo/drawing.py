@@ -19,6 +19,9 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
+SIZE = (1500, 1050)
+SCALE = 1.6  # of lines, dots and texts
+
 # Low to high: forest, meadow, rock, ash, snow.
 HEIGHTS = [(0.0, (52, 98, 74)), (0.3, (120, 146, 92)), (0.55, (168, 142, 104)),
            (0.8, (176, 160, 150)), (1.0, (206, 208, 222))]  # fmt: skip
@@ -146,18 +149,14 @@ def renderer_of(actors, text, xyz, view, aspect, scale):
     return renderer
 
 
-def draw(path, scenes, widths, height, scale):
-    """One PNG of scenes side by side: each makes a renderer for an aspect ratio and a scale."""
+def draw(path, scene, *arguments):
+    """A PNG of the scene of these arguments: it makes a renderer, for an aspect ratio and a scale."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetAlphaBitPlanes(True)
     window.SetMultiSamples(0)
-    window.SetSize(sum(widths), height)
-    ends = numpy.cumsum([0, *widths]) / sum(widths)
-    for scene, width, left, right in zip(scenes, widths, ends[:-1], ends[1:]):
-        renderer = scene(width / height, scale)
-        renderer.SetViewport(left, 0, right, 1)
-        window.AddRenderer(renderer)
+    window.SetSize(*SIZE)
+    window.AddRenderer(scene(*arguments, SIZE[0] / SIZE[1], SCALE))
     window.Render()
     image = vtkWindowToImageFilter()
     image.SetInput(window)
