@@ -120,6 +120,9 @@ std::vector<Input> smallSpecialInputs()
   list.add("grid3", integerGrid(3));
   list.add("grid3rotated", rotated(integerGrid(3)));
   list.add("latticeTetrahedron4", latticeTetrahedron(4));
+  list.add("flatOnALattice", // its determinant is one, in double zero
+    Cloud{ { 0, 0, 0 }, { 236434, 138295, 257183 }, { 210761, 260150, 153905 },
+      { 215777, 154687, 219037 } });
   list.add("octahedron", cosphericalIntegers(1));
   list.add("cuboctahedron", cosphericalIntegers(2));
   list.add("cospherical9", cosphericalIntegers(9));

@@ -126,6 +126,9 @@ std::vector<Input> smallWeightedInputs()
   list.add("grid5", squareGrid(5));
   list.add("grid5far", moved(squareGrid(5), 0x1p52, -0x1p52, 0x1p60));
   list.add("grid5rounded", scaled(squareGrid(5), 0.1, 0.1, 1));
+  list.add("heavyOnALattice", // the height over the triangle is one, in double zero
+    Cloud{ { 0, 0, 0 }, { 2386, 3833, -4907013424032 }, { 460, 1225, -936247651087 },
+      { 955, 423, -1986414514717 } });
   list.add("circle25", cocircularIntegers(25));
   list.add("circle325", cocircularIntegers(325));
   list.add("circle325centre", joined(cocircularIntegers(325), { { 0, 0, 0 } }));

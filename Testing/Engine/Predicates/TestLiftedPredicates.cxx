@@ -495,3 +495,17 @@ TEST(LiftedPredicates, OnALatticeDoublesAreExact)
   }
   EXPECT_GT(zero, 5000);
 }
+
+TEST(LiftedPredicates, OnMoreOfALatticeDoublesAreNot)
+{
+  // The orientation of the first is one, and the height of the second; in double they are zero.
+  constexpr double Many = 0x1p28;
+  Points v = { makeVertex(0, 0, 0, 0), makeVertex(Many, Many - 1, 0, 1),
+    makeVertex(Many + 1, Many, 0, 2), makeVertex(0, 1, 0, 3) };
+  EXPECT_EQ(liftedGeometryOf<true>(v, { 1, false }).orient(v[0], v[1], v[2]), 1);
+  v = { makeVertex(0, 0, 0, 0), makeVertex(2386, 3833, -4907013424032, 1),
+    makeVertex(460, 1225, -936247651087, 2), makeVertex(955, 423, -1986414514717, 3) };
+  const int height = ExactLift(v).above(v[0], v[1], v[2], v[3]);
+  ASSERT_NE(height, 0);
+  EXPECT_EQ(liftedGeometryOf<true>(v, { 1, false }).above(v[0], v[1], v[2], v[3]), height);
+}

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace flipflop;
 using namespace flipflop::test;
 
@@ -196,6 +198,16 @@ TEST(Predicates, FewUnitsOfALatticeApartDoublesAreExact)
   EXPECT_GT(exact, 4000) << "those too far apart";
 }
 
+TEST(Predicates, MoreUnitsOfALatticeApartDoublesAreNot)
+{
+  // The determinant is one; in double it is zero.
+  std::vector<Vertex> v = { makeVertex(0, 0, 0, 0), makeVertex(236434, 138295, 257183, 1),
+    makeVertex(210761, 260150, 153905, 2), makeVertex(215777, 154687, 219037, 3),
+    makeVertex(-1e9, -1e9, -1e9, 4) };
+  ASSERT_EQ(exactAbove(v[0], v[1], v[2], v[3]), 1);
+  EXPECT_EQ(geometryOf(v, { 1, false }).above(v[0], v[1], v[2], v[3]), 1);
+}
+
 TEST(Predicates, SymbolicKernelIsTheExactCentroid)
 {
   std::mt19937_64 random(Seed + 4);
@@ -205,6 +217,14 @@ TEST(Predicates, SymbolicKernelIsTheExactCentroid)
   {
     // A tetrahedron so thin that the rounded centroid is on the wrong side of something.
     std::vector<Vertex> v = nearlyDegenerate(random, 2);
+    if (i % 2)
+    {
+      // So far from the origin that rounding moves the centroid more than differences.
+      for (Vertex& p : v)
+      {
+        std::transform(p.x, p.x + 3, p.x, [](double x) { return x + 0x1p20; });
+      }
+    }
     HullGeometry geometry = geometryOf(v);
     geometry.setSymbolicKernel(v.data());
     Row4 s = { 0, 0, 0, 4 };
