@@ -70,11 +70,10 @@ Arithmetic chooseArithmetic(const CoordinateRange& range)
     result.scaleExponent = -top;
     return result;
   }
-  // As near to one as possible without pushing the lowest bit below 2^-1074, and away from overflow
-  // if that too is possible: the filters take an overflow for "undecided".
+  // As near to one as possible without pushing the lowest bit below 2^-1074. What overflows then is
+  // "undecided" to the filters.
   result.wide = true;
-  const int lossless = -1074 - bottom;
-  result.scaleExponent = std::max(std::min(std::max(-top, lossless), 1021 - top), lossless);
+  result.scaleExponent = std::max(-top, -1074 - bottom);
   return result;
 }
 
