@@ -242,6 +242,8 @@ def test_terrain_meshes_with_lines():
         assert rest.n_points + found.n_points == 604 and not rest["PointOrigin"].any()
         added = found["depth"][found["PointOrigin"] == 1]
         assert added.tolist() == [0, 1, 3] if given is lines else np.isnan(added).all()
+    with pytest.raises(InputError, match=r"their own, call .*, or terrain_mesh\(\) with them as lines"):
+        terrain_mesh(mesh, constraints=lines)
     with pytest.raises(TypeError, match="lines are for one data set, and the mesh is a composite"):
         terrain_mesh(pv.MultiBlock([mesh]), lines=lines)
     with pytest.raises(ValueError, match="breaklines are constraints or lines, not both"):

@@ -85,7 +85,7 @@ class CloudConstraints:
             f"{tuple(self._cloud.rows(ids[at : at + 1])[0].tolist())}. The ids of constraints are those of the mesh's "
             f"points, so at these ids their {len(points)} points must be those of the mesh, of which there are "
             f"{self._cloud.count}; or pass constraints as sequences of ids. If their points are their own, call "
-            "constrained_triangulation()"
+            "constrained_triangulation(), or terrain_mesh() with them as lines"
         )
         raise self._given.of_error(InputError(sentence, "constraint_point", row, point))
 
