@@ -22,6 +22,7 @@ LABELS = {
     "FlipFlopRegularTriangulation": "Regular (Weighted Delaunay) Triangulation (Flip-Flop)",
     "FlipFlopSelectEnclosedPoints": "Select Points in Convex Hull (Flip-Flop)",
     "FlipFlopPointInterpolator2D": "Point Interpolator 2D, Delaunay (Flip-Flop)",
+    "FlipFlopPointsToImage": "Points To Image (Flip-Flop)",
     "FlipFlopTerrainMesh": "Terrain Mesh (Flip-Flop)",
 }
 # The second input of those that answer questions at the points of the first.
@@ -107,6 +108,20 @@ DEFAULTS = {
         "PassCellArrays": 1,
         "PassFieldArrays": 1,
     },
+    "FlipFlopPointsToImage": {
+        **{name: value for name, value in COMMON.items() if name != "VisiblePointIds"},
+        **ENGINES,
+        **WEIGHTS,
+        **PLANE,
+        "SizeMode": "Dimensions",
+        "Dimensions": [256, 256],
+        "Spacing": [1.0, 1.0],
+        "UseInputBounds": 1,
+        "SamplingBounds": [0.0, 1.0, 0.0, 1.0],
+        "InterpolationMode": "Linear",
+        "NullPointsStrategy": "Mask Points",
+        "InterpolateZ": 1,
+    },
     "FlipFlopTerrainMesh": {
         **COMMON,
         **ENGINES,
@@ -124,6 +139,7 @@ PORTS = {
     "FlipFlopRegularTriangulation": ["Triangulation", "Hidden Points", "Border"],
     "FlipFlopSelectEnclosedPoints": ["Points"],
     "FlipFlopPointInterpolator2D": ["Points"],
+    "FlipFlopPointsToImage": ["Image"],
     "FlipFlopTerrainMesh": ["Mesh", "Other Points"],
 }
 FOUND = ["Dimension", "EngineUsed", "EngineReason", "NumberOfInputPoints", "NumberOfNonFinitePoints"]

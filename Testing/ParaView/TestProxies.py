@@ -260,6 +260,23 @@ class TestPlane(unittest.TestCase):
         self.assertEqual(np.count_nonzero(origins == 1), 2)
         self.assertEqual(fetch(mesh).GetFieldData().GetArray("FlipFlopAddedPoints").GetTuple1(0), 2)
 
+    def test_points_to_image(self):
+        survey = real("sainthelens")
+        image = run(simple.PointsToImageFlipFlop(Input=survey))
+        self.assertEqual(fetch(image).GetDimensions(), (256, 256, 1))
+        image.SizeMode = "Spacing"
+        image.Spacing = [100.0, 200.0]
+        image.InterpolationMode = "Clough-Tocher"
+        made = fetch(run(image))
+        self.assertEqual(made.GetSpacing(), (100.0, 200.0, 1.0))
+        points = simple.PointInterpolator2DDelaunayFlipFlop(Input=image, Source=survey, InterpolationMode="Clough-Tocher")
+        points.NullValue = float("nan")
+        found = fetch(run(points)).GetPointData()
+        for name in ("Elevation", "vtkValidPointMask"):
+            one, other = (array(data, name) for data in (made.GetPointData(), found))
+            self.assertTrue(np.array_equal(one, other, equal_nan=True), name)
+        self.assertLess(np.isnan(array(made.GetPointData(), "Elevation")).mean(), 0.5)
+
     def test_lines(self):
         triangulation = run(simple.DelaunayTriangulation2DFlipFlop(Input=cloud(KITE)))
         self.assertEqual(cells(fetch(triangulation).GetPolys()), [(0, 1, 3), (1, 2, 3)])
