@@ -345,6 +345,8 @@ int vtkFFPointsToImage::RequestInformation(
 {
   vtkInformation* const info = outputVector->GetInformationObject(0);
   std::array<int, 6> extent{ { 0, -1, 0, -1, 0, -1 } };
+  info->Remove(vtkDataObject::ORIGIN()); // of other settings, or of an image that is the input
+  info->Remove(vtkDataObject::SPACING());
   try
   {
     checkSettings(this, false);
@@ -429,6 +431,7 @@ int vtkFFPointsToImage::RequestData(
       int(CLOSEST_POINT) == int(vtkFFPointInterpolator2D::CLOSEST_POINT),
     "these are the values of vtkFFInterpolatedData");
   vtkImageData* const output = vtkImageData::GetData(outputVector);
+  output->GetPointData()->Initialize(); // of an image, the executive leaves the last run's scalars
   vtkPolyData* const source = vtkPolyData::GetData(inputVector[1]);
   vtkFFRun run(this, "Image of points", outputVector);
   run.Do(

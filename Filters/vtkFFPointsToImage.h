@@ -8,7 +8,9 @@
  * points, values are interpolated over their Delaunay triangulation in a plane; if weights are
  * chosen, over their regular triangulation: see vtkFFPlanarAlgorithm. Cells of the input are
  * ignored. Which triangle a pixel is in is decided exactly. The values are those of
- * vtkFFPointInterpolator2D at the image's points, bit for bit, for any number of threads.
+ * vtkFFPointInterpolator2D at the image's points, bit for bit, for any number of threads; so they
+ * are those of Python's to_image(), whose rows are counted from the other end, where that rounds
+ * nothing.
  *
  * The image has these point arrays:
  *

@@ -99,7 +99,7 @@ vtkSmartPointer<vtkPolyData> makeSource(int count, unsigned int seed)
     pairs->InsertNextTuple2(p[0] * p[1], -p[1]);
     source->GetPointData()->GetArray("integers")->SetTuple1(static_cast<vtkIdType>(i), 100 * p[2]);
   }
-  source->GetPointData()->AddArray(waves);
+  source->GetPointData()->SetScalars(waves);
   source->GetPointData()->SetTCoords(pairs);
   return source;
 }
@@ -441,6 +441,10 @@ void testExtents()
   vtkInformation* const info = run->GetOutputInformation(0);
   FF_CHECK_EQUAL(info->Get(vtkDataObject::ORIGIN())[1], 0.125);
   FF_CHECK_EQUAL(info->Get(vtkDataObject::SPACING())[0], 0.5);
+  run->SetProjectionPlaneMode(Image::BEST_FITTING_PLANE);
+  FF_CHECK((extentOf() == Extent{ 0, 1, 0, 3, 0, 0 }));
+  FF_CHECK(!info->Has(vtkDataObject::ORIGIN()) && !info->Has(vtkDataObject::SPACING()));
+  run->SetProjectionPlaneMode(Image::XY_PLANE);
   run->SetSpacing(-1.0, 1.0);
   FF_CHECK((extentOf() == Extent{ 0, -1, 0, -1, 0, -1 }));
   run->SetSpacing(1.0, 1.0);
