@@ -9,9 +9,11 @@
 #include "vtkFFConvexifyFilter.h"
 #include "vtkFFHullFilter.h"
 #include "vtkFFPointInterpolator2D.h"
+#include "vtkFFPointsToImage.h"
 #include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkFFSelectEnclosedPoints.h"
+#include "vtkFFTerrainMeshFilter.h"
 #include "vtkGeneralTransform.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -200,6 +202,37 @@ void setSource(Bytes& bytes, vtkFFConstrainedDelaunayFilter* filter)
   filter->SetInputData(1, source);
 }
 
+/// Any bounds and any spacing, of few pixels.
+void setGrid(Bytes& bytes, vtkFFPointsToImage* filter)
+{
+  const int kind = bytes.below(4);
+  filter->SetSizeMode(kind > 1);
+  filter->SetUseInputBounds(kind == 0);
+  filter->SetDimensions(bytes.below(48) - 1, bytes.below(48) - 1);
+  double box[4];
+  double step[2];
+  for (int k = 0; k < 2; ++k)
+  {
+    step[k] = bytes.number();
+    box[2 * k] = kind == 3 ? bytes.raw<std::int8_t>() : bytes.number();
+    box[2 * k + 1] = kind == 1 ? bytes.number() : box[2 * k] + step[k] * bytes.below(48);
+  }
+  filter->SetSpacing(step);
+  filter->SetSamplingBounds(box);
+}
+
+void setBreaklines(Bytes& bytes, vtkFFPointsToImage* filter)
+{
+  const int kind = bytes.below(6);
+  const auto drawn = drawSource(bytes);
+  auto* const source = vtkPolyData::SafeDownCast(drawn);
+  if (source)
+  {
+    givePoints(bytes, kind, filter, source);
+  }
+  filter->SetSourceData(source);
+}
+
 void setBounds(Bytes& bytes, vtkFFPowerDiagramFilter* filter)
 {
   double box[4];
@@ -273,6 +306,25 @@ std::vector<Setter> settersOfThePlane()
   };
 }
 
+std::vector<Setter> settersOfTerrain()
+{
+  using I = vtkFFPointsToImage;
+  using M = vtkFFTerrainMeshFilter;
+  return {
+    of<I>(setGrid),
+    of<I>(setBreaklines),
+    of<I>([](Bytes& b, I* f) { f->SetInterpolationMode(drawChoice(b)); }),
+    of<I>([](Bytes& b, I* f) { f->SetNullPointsStrategy(drawChoice(b)); }),
+    of<I>([](Bytes& b, I* f) { f->SetNullValue(b.number()); }),
+    of<I>([](Bytes& b, I* f) { f->SetValidPointsMaskArrayName(drawName(b, "mask")); }),
+    of<I>([](Bytes& b, I* f) { f->SetInterpolateZ(b.flag()); }),
+    of<I>([](Bytes& b, I* f) { f->SetZArrayName(drawName(b, "z")); }),
+    of<M>([](Bytes& b, M* f) { f->SetTolerance(drawLength(b)); }),
+    of<M>([](Bytes& b, M* f) { f->SetMaximumNumberOfVertices(b.below(100)); }),
+    of<M>([](Bytes& b, M* f) { f->SetInputArrayToProcess(0, 0, 0, OfPoints, drawArrayName(b)); }),
+  };
+}
+
 std::vector<Setter> settersOfQueries()
 {
   using F = vtkFFQueryAlgorithm;
@@ -312,7 +364,8 @@ std::vector<Setter> settersOfQueries()
 std::vector<Setter> everySetter()
 {
   std::vector<Setter> all;
-  for (const auto& some : { settersOfAll(), settersOfThePlane(), settersOfQueries() })
+  for (const auto& some :
+    { settersOfAll(), settersOfThePlane(), settersOfTerrain(), settersOfQueries() })
   {
     all.insert(all.end(), some.begin(), some.end());
   }

@@ -17,8 +17,11 @@
 #include "vtkFFConvexifyFilter.h"
 #include "vtkFFHullFilter.h"
 #include "vtkFFPointInterpolator2D.h"
+#include "vtkFFPointsToImage.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkFFSelectEnclosedPoints.h"
+#include "vtkFFTerrainMeshFilter.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkLogger.h"
 #include "vtkMath.h"
@@ -75,8 +78,7 @@ vtkSmartPointer<vtkAlgorithm> ofOneProcess()
   return filter;
 }
 
-/// The last two answer questions at points.
-constexpr int Kinds = 9;
+constexpr int Kinds = 11;
 
 vtkSmartPointer<vtkAlgorithm> makeFilter(int kind)
 {
@@ -98,6 +100,10 @@ vtkSmartPointer<vtkAlgorithm> makeFilter(int kind)
       return vtkSmartPointer<vtkFFSelectEnclosedPoints>::New();
     case 8:
       return vtkSmartPointer<vtkFFPointInterpolator2D>::New();
+    case 9:
+      return vtkSmartPointer<vtkFFPointsToImage>::New();
+    case 10:
+      return vtkSmartPointer<vtkFFTerrainMeshFilter>::New();
     default:
       return vtkSmartPointer<vtkFFHullFilter>::New();
   }
@@ -168,12 +174,65 @@ bool mustHaveHull(vtkFFHullFilter* filter, vtkPointSet* data)
     (filter->GetNonFinitePoints() == vtkFFAlgorithm::NON_FINITE_IGNORE || isFinite(data));
 }
 
+void demandFull(vtkDataSet* output, const std::string& name)
+{
+  vtkAbstractArray* array = output->GetPointData()->GetAbstractArray(name.c_str());
+  demand(array && array->GetNumberOfTuples() == output->GetNumberOfPoints(),
+    "not a value for each point: " + name);
+}
+
+/// The pixels are what another filter gives at these points.
+void demandPixels(vtkFFPointsToImage* filter, vtkPointSet* data)
+{
+  vtkImageData* const output = filter->GetOutput();
+  demand(output != nullptr, "the output is no vtkImageData");
+  if (output->GetNumberOfPoints() == 0)
+  {
+    demand(filter->GetDimension() < 0, "no pixel of points");
+    return;
+  }
+  if (filter->GetNullPointsStrategy() == vtkFFPointsToImage::MASK_POINTS)
+  {
+    demandFull(output, filter->GetValidPointsMaskArrayName());
+  }
+  if (filter->GetSource() || !filter->GetPassPointData() ||
+    filter->GetProjectionPlaneMode() != vtkFFPointsToImage::XY_PLANE ||
+    filter->GetInformation()->Has(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS()))
+  {
+    return;
+  }
+  vtkNew<vtkImageData> expected;
+  expected->CopyStructure(output);
+  vtkNew<vtkFFPointInterpolator2D> points;
+  points->SetInputData(expected);
+  points->SetSourceData(data);
+  points->SetInterpolationMode(filter->GetInterpolationMode());
+  points->SetNullPointsStrategy(filter->GetNullPointsStrategy());
+  points->SetNullValue(1.0); // -0 is the default, 0, to the setter
+  points->SetNullValue(filter->GetNullValue());
+  points->SetValidPointsMaskArrayName(filter->GetValidPointsMaskArrayName());
+  points->SetInterpolateZ(filter->GetInterpolateZ());
+  points->SetZArrayName(filter->GetZArrayName());
+  points->SetSkipGhostPoints(filter->GetSkipGhostPoints());
+  points->SetNonFinitePoints(vtkFFQueryAlgorithm::NON_FINITE_IGNORE); // z counts only for images
+  points->Update();
+  expected->GetPointData()->ShallowCopy(output->GetPointData());
+  demand(filter->GetNumberOfNonFinitePoints() > 0 ||
+      fftest::isIdentical(points->GetOutput(), expected, "pixels"),
+    "a pixel is not what its point has");
+}
+
 /// What a filter that ran without an error gave for one data set.
 void demandResult(vtkFFAlgorithm* filter, vtkPointSet* data)
 {
   const auto input = withoutGhosts(filter, data);
   if (!input)
   {
+    return;
+  }
+  if (auto* image = vtkFFPointsToImage::SafeDownCast(filter))
+  {
+    demandPixels(image, data);
     return;
   }
   vtkPolyData* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
@@ -196,13 +255,6 @@ void demandResult(vtkFFAlgorithm* filter, vtkPointSet* data)
       "not the triangulation");
   }
   demand(fftest::failures() == 0, "the output lacks its ids");
-}
-
-void demandFull(vtkDataSet* output, const std::string& name)
-{
-  vtkAbstractArray* array = output->GetPointData()->GetAbstractArray(name.c_str());
-  demand(array && array->GetNumberOfTuples() == output->GetNumberOfPoints(),
-    "not a value for each point: " + name);
 }
 
 /// The sides of a run are those of single points.
@@ -260,7 +312,7 @@ public:
   }
 
 private:
-  bool isQuery() const { return this->Kind > 6; }
+  bool isQuery() const { return this->Kind == 7 || this->Kind == 8; }
   int inputCount() const { return this->isQuery() ? 2 : 1; }
 
   /// Another filter of the same settings.
@@ -345,7 +397,14 @@ private:
     auto* input = vtkDataObjectTree::SafeDownCast(this->Input[0]);
     auto* output = vtkDataObjectTree::SafeDownCast(this->Filter->GetOutputDataObject(0));
     auto* constrained = vtkFFConstrainedDelaunayFilter::SafeDownCast(this->Filter);
-    if (!input || !output || (constrained && constrained->GetSource())) // for one data set alone
+    auto* image = vtkFFPointsToImage::SafeDownCast(this->Filter);
+    const bool hasSource =
+      (constrained && constrained->GetSource()) || (image && image->GetSource());
+    if (!input || !output || hasSource) // for one data set alone
+    {
+      return;
+    }
+    if (!output->IsA(input->GetClassName())) // VTK 9.1 has kept the one of an earlier run
     {
       return;
     }

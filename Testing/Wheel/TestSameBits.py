@@ -18,6 +18,7 @@ try:
         vtkFFConstrainedDelaunayFilter,
         vtkFFConvexifyFilter,
         vtkFFHullFilter,
+        vtkFFPointsToImage,
         vtkFFPowerDiagramFilter,
         vtkFFRegularTriangulationFilter,
         vtkFFTerrainMeshFilter,
@@ -36,6 +37,7 @@ from vtkflipflop.pyvista import (
     power_diagram,
     regular_triangulation,
     terrain_mesh,
+    to_image,
 )
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Python"))
@@ -205,6 +207,32 @@ def test_terrain_meshes(name):
     heights = {"heights": "u2"}, {"SetInputArrayToProcess": [0, 0, 0, 0, "u2"]}
     for rows in ([tolerance], [HIDDEN, tolerance], [HIDDEN, few], [HIDDEN, tolerance, heights]):
         expect_same(terrain_mesh, vtkFFTerrainMeshFilter, made(name), *joined(*rows))
+
+
+@pytest.mark.parametrize("name", ["plane", "uniform", "floats", "lattice", "image", "rectilinear", "ghosts", "autzen"])
+@pytest.mark.parametrize("mode, method", [(0, "linear"), (1, "natural"), (2, "clough-tocher")])
+def test_images(name, mode, method):
+    mesh = made(name)
+    # Sums of few bits: rows are at the same positions, whatever side they are counted from.
+    x0, x1, y0, y1 = np.asarray(mesh.bounds[:4]).round() + [-0.5, 0.5, -0.5, 0.5]
+    step = 2.0 ** np.ceil(np.log2(max(x1 - x0, y1 - y0))) / 64
+    filter_ = vtkFFPointsToImage()
+    filter_.SetInputDataObject(mesh)
+    filter_.SetSizeMode(vtkFFPointsToImage.SIZE_BY_SPACING)
+    filter_.SetSpacing(step, step)
+    filter_.SetUseInputBounds(False)
+    filter_.SetSamplingBounds(x0, x1, y0, y1)
+    filter_.SetInterpolationMode(mode)
+    for threads in (1, 2, 4):
+        filter_.SetNumberOfThreads(threads)
+        filter_.Update()
+        expected = pv.wrap(filter_.GetOutput())
+        for array in (None, "f4", "u2"):
+            found = to_image(mesh, array, spacing=step, bounds=(x0, x1, y0, y1), method=method)
+            assert (found.dimensions, found.origin, found.spacing) == (expected.dimensions, expected.origin, expected.spacing)
+            values = found[array or "Elevation"]
+            assert np.array_equal(values, expected[array or "Elevation"].astype(values.dtype), equal_nan=True), array
+            assert not np.isnan(values).all()
 
 
 @pytest.mark.parametrize("name", ["uniform", "ghosts", "floats"])
