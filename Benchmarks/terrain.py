@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Meshes of a made terrain within a tolerance, by each package that is installed: vertices, triangles, seconds, error.
+Then rasters of 4 ROWS^2 pixels of ROWS^2 random points, beside scipy's interpolators: seconds.
 
     terrain.py [ROWS [SHARE...]]
 
@@ -92,6 +93,43 @@ def greatest_error(heights, xy, triangles):
     return errors.max()
 
 
+def fastest(make):
+    seconds = []
+    for _ in range(REPETITIONS):
+        begin = time.perf_counter()
+        make()
+        seconds.append(time.perf_counter() - begin)
+    return min(seconds)
+
+
+def rasters(rows):
+    """Seconds of each method, once all that does not depend on the pixels is built."""
+    from vtkflipflop.arrays import regular_triangulation
+
+    random = np.random.default_rng(2014)
+    points = random.random((rows * rows, 2))
+    values = np.sin(10 * points[:, 0]) * np.cos(20 * points[:, 1])
+    triangulation = regular_triangulation(points)
+    shape = (2 * rows, 2 * rows)
+    pixels = np.column_stack([axis.ravel() for axis in np.meshgrid(*[np.linspace(0.001, 0.999, 2 * rows)] * 2)])
+    print("method,package,threads,seconds")
+    for threads in (1, 2):
+        for method in ("linear", "natural", "clough-tocher"):
+            seconds = fastest(lambda: triangulation.to_image(values, shape=shape, method=method, threads=threads))
+            print(f"{method},vtkflipflop to_image,{threads},{seconds:.3f}", flush=True)
+        seconds = fastest(lambda: triangulation.interpolate(values, pixels, threads=threads))
+        print(f"linear,vtkflipflop interpolate,{threads},{seconds:.3f}", flush=True)
+    try:
+        from scipy.interpolate import CloughTocher2DInterpolator, LinearNDInterpolator
+        from scipy.spatial import Delaunay
+    except ImportError:
+        return
+    tree = Delaunay(points)
+    for method, kind in (("linear", LinearNDInterpolator), ("clough-tocher", CloughTocher2DInterpolator)):
+        interpolator = kind(tree, values)
+        print(f"{method},scipy,1,{fastest(lambda: interpolator(pixels)):.3f}", flush=True)
+
+
 def main(rows=1000, *shares):
     heights = terrain(int(rows))
     programs = {"vtkflipflop": flipflop_mesh, "pydelatin": pydelatin_mesh, "vtk": vtk_mesh}
@@ -109,6 +147,7 @@ def main(rows=1000, *shares):
             counts = f"{len(xy)},{len(triangles)}"
             error = greatest_error(heights, xy, triangles)
             print(f"{tolerance:.6g},{package},{version},{counts},{seconds:.3f},{error:.6g}", flush=True)
+    rasters(int(rows))
 
 
 if __name__ == "__main__":
