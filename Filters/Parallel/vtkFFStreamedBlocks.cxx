@@ -281,7 +281,7 @@ public:
   StreamedRun(const Settings& settings, const vtkFFStreamedBlocks::Use& use)
     : Use(use)
     , Shape(settings.Shape)
-    , Asked(settings.Options)
+    , Chosen(settings.Options)
     , Options(settings.Options)
     , Blocks(settings.NumberOfBlocks)
     , Folder(settings.Folder)
@@ -293,7 +293,7 @@ public:
   {
     this->Options.threads = this->Master.threads() > 1 ? 1 : settings.Options.threads;
     this->Options.step = nullptr;
-    if (this->Asked.progress)
+    if (this->Chosen.progress)
     {
       this->Options.progress = [](double fraction, void* self)
       { return static_cast<StreamedRun*>(self)->MayGoOn(fraction); };
@@ -411,7 +411,8 @@ private:
   bool MayGoOn(double fraction)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    return !this->Failure.IsThere() && this->Asked.progress(fraction, this->Asked.progressContext);
+    return !this->Failure.IsThere() &&
+      this->Chosen.progress(fraction, this->Chosen.progressContext);
   }
 
   /// @param skip which blocks stay in their files
@@ -515,7 +516,7 @@ private:
 
   const vtkFFStreamedBlocks::Use& Use;
   const flipflop::BlockShape Shape;
-  const flipflop::Options Asked;
+  const flipflop::Options Chosen;
   flipflop::Options Options;
   const int Blocks;
   SharedFailure Failure;
