@@ -121,6 +121,11 @@ TEST(FlipFlopErrors, NotManifold)
   Surface triple = tetrahedron();
   triple.triangles.insert(triple.triangles.end(), 2, triple.triangles[3]);
   expectRefusal(triple, origin, ErrorCode::NotManifold, 0);
+  // One more on an edge: its two others are open.
+  Surface fin = tetrahedron();
+  fin.points.push_back({ 0, 0, 9 });
+  fin.triangles.push_back({ 0, 1, 4 });
+  expectRefusal(fin, origin, ErrorCode::NotManifold, -2, 1);
   // Two tetrahedra that touch in one vertex, each closed by itself.
   Surface vertex = together(tetrahedron(), tetrahedron(8));
   for (Corners& t : vertex.triangles)
