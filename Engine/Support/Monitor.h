@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstdint>
 #include <thread>
+#include <utility>
 
 namespace flipflop
 {
@@ -68,7 +69,7 @@ private:
     {
       throw Error(ErrorCode::Aborted);
     }
-    if (!this->function || std::this_thread::get_id() != this->caller)
+    if (std::this_thread::get_id() != this->caller || !this->function)
     {
       return;
     }
@@ -92,13 +93,17 @@ private:
     }
   }
 
-  bool callFunction() const
+  /// A function that throws is not called again, whatever tasks are left to the caller's thread.
+  bool callFunction()
   {
     const CallersFloatingPointEnvironment callers;
-    return this->function(this->reported, this->context);
+    const ProgressFunction called = std::exchange(this->function, nullptr);
+    const bool goesOn = called(this->reported, this->context);
+    this->function = called;
+    return goesOn;
   }
 
-  ProgressFunction function;
+  ProgressFunction function; ///< for the caller's thread alone
   StepFunction step;
   void* context;
   std::thread::id caller;

@@ -18,6 +18,7 @@
 
 #include <chrono>
 #include <functional>
+#include <stdexcept>
 
 namespace flipflop
 {
@@ -161,6 +162,23 @@ Polyhedron copyOf(const Polyhedron& polyhedron)
   std::copy(polyhedron.triangles.begin(), polyhedron.triangles.end(), copy.triangles.begin());
   copy.pieces = polyhedron.pieces;
   return copy;
+}
+
+/// Tasks that the caller's thread still has when its progress function has thrown look, too.
+TEST(Polls, NoFunctionIsCalledAgainThatHasThrown)
+{
+  int calls = 0;
+  Options options;
+  options.progress = [](double, void* count) -> bool
+  {
+    ++*static_cast<int*>(count);
+    throw std::runtime_error("a progress function");
+  };
+  options.progressContext = &calls;
+  Monitor monitor(options, std::chrono::seconds(0));
+  EXPECT_THROW(monitor.poll(), std::runtime_error);
+  EXPECT_NO_THROW(monitor.poll());
+  EXPECT_EQ(calls, 1);
 }
 
 TEST(Polls, WhileAskingForALattice)
