@@ -4,18 +4,23 @@
  * @class   vtkFFPointRedistribution
  * @brief   moves points to the processes of their regions
  *
- * Each process gets the points of one region (vtkFFPointRegions, over a sample of all points),
- * about as many as each other process. Points at the same position stay together.
+ * Each process gets the points of one region, about as many as each other process. The regions are
+ * the leaves of a k-d tree over a sample of all points. Points at the same
+ * position stay together.
+ *
+ * DIY's k-d trees do not do: their coordinates are floats, in which a cluster may be a single
+ * position; they take a power of two of blocks; and where many points are at one position they fail
+ * on regions without points.
  */
 
 #ifndef vtkFFPointRedistribution_h
 #define vtkFFPointRedistribution_h
 
 #include "vtkFFMarks.h"
-#include "vtkFFPointRegions.h"
 
 #include <flipflop/BlockRun.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -35,7 +40,10 @@ public:
     std::int64_t Id;
   };
 
-  using Key = vtkFFPointRegions::Key;
+  /**
+   * A point's coordinates in the k-d tree. The same for all points at one position.
+   */
+  using Key = std::array<double, 2>;
   using KeyOf = std::function<Key(const Point&)>;
 
   /**
