@@ -314,6 +314,64 @@ TEST(NaturalNeighbour, AreTheSameAtEveryScale)
   }
 }
 
+/// At the circle of a triangle's corners, off it by about so much of its radius.
+Point nearCircle(const Cloud& sites, const Cell& cell, double off, Random& random)
+{
+  const Point& a = sites[static_cast<std::size_t>(cell[0])];
+  const Point& b = sites[static_cast<std::size_t>(cell[1])];
+  const Point& c = sites[static_cast<std::size_t>(cell[2])];
+  const double ux = b[0] - a[0], uy = b[1] - a[1], vx = c[0] - a[0], vy = c[1] - a[1];
+  const double u = ux * ux + uy * uy, v = vx * vx + vy * vy, twice = 2 * (ux * vy - uy * vx);
+  const double x = (vy * u - uy * v) / twice, y = (ux * v - vx * u) / twice;
+  const double part = (1 + off * random.uniform(-1, 1)) * std::hypot(x, y);
+  const double angle = random.uniform(0, 6.28);
+  return { a[0] + x + part * std::cos(angle), a[1] + y + part * std::sin(angle), 0 };
+}
+
+/// Doubles take part where they are right enough alone: sites nearly on lines and on circles, and
+/// places nearly on the circles of triangles. Sites as small as 2^-300 have longer numbers.
+TEST(NaturalNeighbour, AreRightTo30Bits)
+{
+  int compared = 0;
+  for (const double jitter : { 1.0, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15 })
+  {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed)
+    {
+      Random random(seed);
+      Cloud sites = squareGrid(4);
+      for (Point& site : sites)
+      {
+        site[0] += jitter * random.uniform();
+        site[1] += jitter * random.uniform();
+        site[2] = seed % 2 == 0 ? 1e-2 * jitter * random.uniform() : 0.0;
+      }
+      sites[0][0] = 0;
+      Cloud beside = magnified(sites, 0x1p-300);
+      beside[0][0] = 0x1p-960; // so that sites are not scaled back
+      const Coordinates coordinates(sites, FacetMode::Triangles);
+      const Coordinates longer(beside, FacetMode::Triangles);
+      const std::vector<Cell> cells = cellsOf(coordinates.triangulation);
+      const int last = static_cast<int>(cells.size()) - 1;
+      for (int i = 0; i < 20; ++i)
+      {
+        const Cell& cell = cells[static_cast<std::size_t>(random.integer(0, last))];
+        const Point place =
+          nearCircle(sites, cell, std::ldexp(1.0, -random.integer(0, 45)), random);
+        const std::vector<double> found = coordinates.at(place);
+        const std::vector<double> expected =
+          longer.at({ place[0] * 0x1p-300, place[1] * 0x1p-300, 0 });
+        for (std::size_t k = 0; k < sites.size() && !std::isnan(expected[k]); ++k)
+        {
+          EXPECT_LE(std::fabs(found[k] - expected[k]), 0x1p-30 * expected[k])
+            << "jitter " << jitter << ", seed " << seed << ", " << placeText(place);
+          compared += expected[k] > 0 ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 2000);
+}
+
 /// In one triangle the shares are those of the corners, however thin it is.
 TEST(NaturalNeighbour, InThinTriangles)
 {
