@@ -82,7 +82,7 @@ void expectShares(const Cloud& sites, const Point& place, const std::vector<doub
   {
     const Rational lost =
       Rational(0x1p-1074) * (Rational(widest) * static_cast<int>(sites.size()) + 1);
-    ASSERT_LE(abs(Rational(mean[k] - place[k])), Rational(Rational(most[k]) * 1e-12 + lost))
+    ASSERT_LE(abs(Rational(mean[k] - place[k])), Rational(Rational(most[k]) * 1e-13 + lost))
       << placeText(place);
   }
 }
@@ -300,7 +300,7 @@ TEST(NaturalNeighbour, AreTheSameAtEveryScale)
       {
         for (std::size_t k = 0; k < sites.size(); ++k)
         {
-          EXPECT_NEAR(found[k], expected[k], 1e-12);
+          EXPECT_NEAR(found[k], expected[k], 1e-14);
         }
       };
       expectSame(wide.at(place));
