@@ -207,8 +207,8 @@ public:
   /**
    * Set/Get what null pixels get.
    *
-   * - MASK_POINTS (the default): NullValue, and the mask array tells
-   *   which pixels these are
+   * - MASK_POINTS (the default): NullValue, and the mask array marks
+   *   these pixels
    * - NULL_VALUE: NullValue
    * - CLOSEST_POINT: the values of the closest point (with weights, by
    *   power distance)

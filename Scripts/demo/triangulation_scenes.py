@@ -39,7 +39,7 @@ def surface_scene(name, weights, outputs, aspect, scale):
     triangles = cells_of(surface.GetPolys())
     actors = [surface_actor(xyz, triangles)]
     nearer = 0.003 * numpy.ptp(everything) * view.axes[2]  # or the surface would cut what is in it
-    # Where shades alone tell many triangles apart, edges would only darken.
+    # Where shades alone distinguish many triangles, edges would only darken.
     size = len(triangles)
     if weights or size < 15000:
         width, opacity = (0.7, 0.3) if size > 5000 else (1.3, 0.6)

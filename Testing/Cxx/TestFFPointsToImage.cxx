@@ -417,7 +417,7 @@ void testBreaklines()
   FF_CHECK((split.Values("Elevation") != Numbers{ 1, 1, 1, 1 }));
 }
 
-/// What a pipeline is told before the data, and that one error is said once.
+/// What a pipeline has before the data, and that one error is said once.
 void testExtents()
 {
   Imaging run(makePoints(randomPoints(50, 814)));

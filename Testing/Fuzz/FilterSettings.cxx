@@ -306,6 +306,20 @@ std::vector<Setter> settersOfThePlane()
   };
 }
 
+/// What both filters have that interpolate.
+template <class I>
+std::vector<Setter> settersOfInterpolation()
+{
+  return {
+    of<I>([](Bytes& b, I* f) { f->SetInterpolationMode(drawChoice(b)); }),
+    of<I>([](Bytes& b, I* f) { f->SetNullPointsStrategy(drawChoice(b)); }),
+    of<I>([](Bytes& b, I* f) { f->SetNullValue(b.number()); }),
+    of<I>([](Bytes& b, I* f) { f->SetValidPointsMaskArrayName(drawName(b, "mask")); }),
+    of<I>([](Bytes& b, I* f) { f->SetInterpolateZ(b.flag()); }),
+    of<I>([](Bytes& b, I* f) { f->SetZArrayName(drawName(b, "z")); }),
+  };
+}
+
 std::vector<Setter> settersOfTerrain()
 {
   using I = vtkFFPointsToImage;
@@ -313,12 +327,6 @@ std::vector<Setter> settersOfTerrain()
   return {
     of<I>(setGrid),
     of<I>(setBreaklines),
-    of<I>([](Bytes& b, I* f) { f->SetInterpolationMode(drawChoice(b)); }),
-    of<I>([](Bytes& b, I* f) { f->SetNullPointsStrategy(drawChoice(b)); }),
-    of<I>([](Bytes& b, I* f) { f->SetNullValue(b.number()); }),
-    of<I>([](Bytes& b, I* f) { f->SetValidPointsMaskArrayName(drawName(b, "mask")); }),
-    of<I>([](Bytes& b, I* f) { f->SetInterpolateZ(b.flag()); }),
-    of<I>([](Bytes& b, I* f) { f->SetZArrayName(drawName(b, "z")); }),
     of<M>([](Bytes& b, M* f) { f->SetTolerance(drawLength(b)); }),
     of<M>([](Bytes& b, M* f) { f->SetMaximumNumberOfVertices(b.below(100)); }),
     of<M>([](Bytes& b, M* f) { f->SetInputArrayToProcess(0, 0, 0, OfPoints, drawArrayName(b)); }),
@@ -337,12 +345,6 @@ std::vector<Setter> settersOfQueries()
     of<S>([](Bytes& b, S* f) { f->SetGenerateDistances(b.flag()); }),
     of<S>([](Bytes& b, S* f) { f->SetInsideOut(b.flag()); }),
     of<S>([](Bytes& b, S* f) { f->SetSelectPointsOnSurface(b.flag()); }),
-    of<I>([](Bytes& b, I* f) { f->SetInterpolationMode(drawChoice(b)); }),
-    of<I>([](Bytes& b, I* f) { f->SetNullPointsStrategy(drawChoice(b)); }),
-    of<I>([](Bytes& b, I* f) { f->SetNullValue(b.number()); }),
-    of<I>([](Bytes& b, I* f) { f->SetValidPointsMaskArrayName(drawName(b, "mask")); }),
-    of<I>([](Bytes& b, I* f) { f->SetInterpolateZ(b.flag()); }),
-    of<I>([](Bytes& b, I* f) { f->SetZArrayName(drawName(b, "z")); }),
     of<I>([](Bytes& b, I* f) { f->AddExcludedArray(drawArrayName(b)); }),
     of<I>(
       [](Bytes& b, I* f)
@@ -364,8 +366,9 @@ std::vector<Setter> settersOfQueries()
 std::vector<Setter> everySetter()
 {
   std::vector<Setter> all;
-  for (const auto& some :
-    { settersOfAll(), settersOfThePlane(), settersOfTerrain(), settersOfQueries() })
+  for (const auto& some : { settersOfAll(), settersOfThePlane(), settersOfTerrain(),
+         settersOfQueries(), settersOfInterpolation<vtkFFPointsToImage>(),
+         settersOfInterpolation<vtkFFPointInterpolator2D>() })
   {
     all.insert(all.end(), some.begin(), some.end());
   }
