@@ -10,6 +10,7 @@
 #include "Support/HostDevice.h"
 #include <flipflop/Error.h>
 
+#include <exception>
 #include <new>
 #include <stdexcept>
 
@@ -22,6 +23,28 @@ template <class Work>
 FF_NOINLINE auto resultOf(Work& work)
 {
   return work();
+}
+
+/// What leaves engineCall() as it was thrown.
+struct ForeignException
+{
+  std::exception_ptr exception;
+};
+
+/// What a function of the caller's returns, in the caller's floating-point environment. What it
+/// throws leaves engineCall() as it is.
+template <class Function>
+auto callersFunction(const Function& function)
+{
+  const CallersFloatingPointEnvironment callers;
+  try
+  {
+    return function();
+  }
+  catch (...)
+  {
+    throw ForeignException{ std::current_exception() };
+  }
 }
 
 /// What @p work returns, in the default floating-point environment. Any shortage of memory becomes
@@ -38,6 +61,10 @@ auto engineCall(Work&& work)
   catch (const Error&)
   {
     throw;
+  }
+  catch (const ForeignException& foreign)
+  {
+    std::rethrow_exception(foreign.exception);
   }
   catch (const std::bad_alloc&)
   {

@@ -8,40 +8,16 @@
 #include <cstddef>
 #include <iterator>
 #include <random>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
-using Key = vtkFFPointRedistribution::Key;
+using flipflop::PointRegions;
+using Key = PointRegions::Key;
 using KeyOf = vtkFFPointRedistribution::KeyOf;
 using Point = vtkFFPointRedistribution::Point;
-
-/// The sample: enough for regions that are alike to some percent, and all points where these are
-/// few.
-constexpr vtkIdType leastSample = 1 << 14;
-constexpr vtkIdType sampleOfProcess = 512;
-
-/// Whether a key comes before another along an axis. The other coordinate parts what has the same
-/// one there, as the columns of a grid do.
-bool isBefore(const Key& a, const Key& b, std::size_t axis)
-{
-  return a[axis] < b[axis] || (a[axis] == b[axis] && a[1 - axis] < b[1 - axis]);
-}
-
-/// The axis along which keys extend further.
-std::size_t longAxis(const Key* begin, const Key* end)
-{
-  Key extent{};
-  for (std::size_t k = 0; begin != end && k < 2; ++k)
-  {
-    const auto range =
-      std::minmax_element(begin, end, [k](const Key& a, const Key& b) { return a[k] < b[k]; });
-    // Halves, since a difference may overflow.
-    extent[k] = (*range.second)[k] / 2 - (*range.first)[k] / 2;
-  }
-  return extent[1] > extent[0];
-}
 
 /// Keys of some of the points: of all processes' together, so many or all. The same ones each time.
 std::vector<Key> sampleOf(
@@ -64,40 +40,6 @@ std::vector<Key> sampleOf(
   return sample;
 }
 
-/// Walks down the k-d tree over the sample, which all processes have, with the points.
-struct Tree
-{
-  const KeyOf& KeyOfPoint;
-  vtkFFProcesses::Messages& Messages; ///< become the points of each process's region, in order
-
-  /// The node whose regions are those of the processes from first to last.
-  void Split(Key* begin, Key* end, Point* firstPoint, Point* lastPoint, int first, int last)
-  {
-    if (last - first == 1)
-    {
-      vtkFFProcesses::Append(
-        firstPoint, static_cast<std::size_t>(lastPoint - firstPoint), this->Messages[first]);
-      return;
-    }
-    const int middle = first + (last - first) / 2;
-    const std::size_t axis = longAxis(begin, end);
-    Key* const cut = begin + (end - begin) * (middle - first) / (last - first);
-    Key at{};
-    if (cut != end)
-    {
-      std::nth_element(
-        begin, cut, end, [&](const Key& a, const Key& b) { return isBefore(a, b, axis); });
-      at = *cut;
-    }
-    const auto isLower = [&](const Key& key) { return isBefore(key, at, axis); };
-    Key* const upper = std::partition(begin, end, isLower);
-    Point* const upperPoint = std::stable_partition(
-      firstPoint, lastPoint, [&](const Point& point) { return isLower(this->KeyOfPoint(point)); });
-    this->Split(begin, upper, firstPoint, upperPoint, first, middle);
-    this->Split(upper, end, upperPoint, lastPoint, middle, last);
-  }
-};
-
 }
 
 //------------------------------------------------------------------------------
@@ -106,8 +48,8 @@ flipflop::BlockPoints vtkFFPointRedistribution::Run(
 {
   const int count = processes.GetCount();
   const vtkIdType all = processes.Sum(static_cast<vtkIdType>(points.size()));
-  const std::vector<Key> own =
-    sampleOf(points, keyOf, all, std::max(leastSample, count * sampleOfProcess));
+  const std::vector<Key> own = sampleOf(points, keyOf, all,
+    static_cast<vtkIdType>(PointRegions::sampleSize(static_cast<std::size_t>(count))));
   vtkFFProcesses::Messages messages;
   for (int process = 0; process < count; ++process)
   {
@@ -121,8 +63,25 @@ flipflop::BlockPoints vtkFFPointRedistribution::Run(
     sample.insert(sample.end(), part.begin(), part.end());
   }
   messages.clear();
-  Tree{ keyOf, messages }.Split(sample.data(), sample.data() + sample.size(), points.data(),
-    points.data() + points.size(), 0, count);
+  std::vector<Key> keys;
+  keys.reserve(points.size());
+  std::transform(points.begin(), points.end(), std::back_inserter(keys), keyOf);
+  std::vector<int> regions(points.size());
+  PointRegions(std::move(sample), count).find(keys.data(), keys.size(), regions.data());
+  std::vector<Key>().swap(keys);
+  std::vector<std::size_t> sizes(static_cast<std::size_t>(count));
+  for (const int region : regions)
+  {
+    sizes[static_cast<std::size_t>(region)] += sizeof(Point);
+  }
+  for (int process = 0; process < count; ++process)
+  {
+    messages[process].reserve(sizes[static_cast<std::size_t>(process)]);
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    vtkFFProcesses::Append(&points[i], 1, messages[regions[i]]);
+  }
   std::vector<Point>().swap(points);
   processes.Exchange(messages);
 

@@ -4,13 +4,8 @@
  * @class   vtkFFPointRedistribution
  * @brief   moves points to the processes of their regions
  *
- * Each process gets the points of one region, about as many as each other process. The regions are
- * the leaves of a k-d tree over a sample of all points. Points at the same
- * position stay together.
- *
- * DIY's k-d trees do not do: their coordinates are floats, in which a cluster may be a single
- * position; they take a power of two of blocks; and where many points are at one position they fail
- * on regions without points.
+ * Each process gets the points of one region (flipflop::PointRegions, over a sample of all points),
+ * about as many as each other process. Points at the same position stay together.
  */
 
 #ifndef vtkFFPointRedistribution_h
@@ -19,8 +14,8 @@
 #include "vtkFFMarks.h"
 
 #include <flipflop/BlockRun.h>
+#include <flipflop/PointRegions.h>
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -40,10 +35,7 @@ public:
     std::int64_t Id;
   };
 
-  /**
-   * A point's coordinates in the k-d tree. The same for all points at one position.
-   */
-  using Key = std::array<double, 2>;
+  using Key = flipflop::PointRegions::Key;
   using KeyOf = std::function<Key(const Point&)>;
 
   /**

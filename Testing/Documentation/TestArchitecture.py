@@ -34,7 +34,7 @@ PROMISED = {
 MODULES = {
     "Engine": ["Support", "Points", "Predicates", "Mesh", "Geometry", "FlipFlop", "Finish", "Run",
                "Surface", "PowerDiagram", "Validate", "Query", "Alpha", "Constraints", "Terrain",
-               "Blocks", "Transport"],
+               "Blocks", "Stream", "Transport"],
     "Cuda": ["Rounds", "Device", "Choice"],
 }
 

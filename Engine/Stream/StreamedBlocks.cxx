@@ -1,0 +1,388 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Stream/StreamedBlocks.h"
+
+#include "Stream/StoredValues.h"
+#include "Support/EngineCall.h"
+#include "Support/Threads.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace flipflop
+{
+
+namespace
+{
+
+/// What a block adds to the report.
+struct Taken
+{
+  std::int64_t hidden, cells, received, dimension;
+  BlockMeasure measure;
+};
+
+/// Files of a round can be listed by this, and a number.
+std::string nameOfRound(const char* prefix, std::int64_t round)
+{
+  return nameOf(prefix, round) + "-";
+}
+
+/// The messages of a file, by the block that receives them.
+std::map<std::int64_t, std::vector<char>> byReceiver(std::map<int, BlockMessage>&& messages)
+{
+  std::map<std::int64_t, std::vector<char>> sections;
+  for (auto& [block, message] : messages)
+  {
+    sections[block] = std::move(message);
+  }
+  return sections;
+}
+
+/// A ProgressFunction of a block's runs: they report nothing, and stop when the whole does.
+bool goesOn(double, void* monitor)
+{
+  const DefaultFloatingPointEnvironment environment; // it is called in the caller's
+  try
+  {
+    static_cast<Monitor*>(monitor)->poll();
+    return true;
+  }
+  catch (const Error&)
+  {
+    return false;
+  }
+}
+
+/// A point that may be the lowest of all by id.
+struct Lowest
+{
+  std::int64_t id = std::numeric_limits<std::int64_t>::max();
+  double x[3] = {};
+};
+
+}
+
+StreamedBlocks::StreamedBlocks(WorkFolder& inFolder, PointStore& allPoints,
+  const StreamSettings& chosen, Monitor& ofRun, int threadsOfRun)
+  : folder(inFolder)
+  , points(allPoints)
+  , settings(chosen)
+  , monitor(ofRun)
+  , threads(threadsOfRun)
+  , options(chosen.options)
+  , all(static_cast<std::size_t>(allPoints.counts().blocks))
+  , lastRound(this->all.size())
+{
+  this->options.threads = 1;
+  this->options.progress = goesOn;
+  this->options.progressContext = &ofRun;
+  this->options.step = nullptr;
+  std::iota(this->all.begin(), this->all.end(), std::int64_t(0));
+}
+
+void StreamedBlocks::stage(double from, double to, const char* name, const Numbers& blocks,
+  const std::function<void(std::int64_t block)>& work)
+{
+  this->monitor.stage(from, to, static_cast<std::int64_t>(blocks.size()), name);
+  std::mutex mutex;
+  std::exception_ptr failure;
+  std::atomic<bool> failed{ false };
+  runSideBySide(blocks.size(), this->threads,
+    [&](std::size_t i)
+    {
+      try
+      {
+        if (!failed)
+        {
+          this->monitor.poll();
+          work(blocks[i]);
+          this->monitor.advance(1);
+        }
+      }
+      catch (...)
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        failed = true;
+        failure = failure ? failure : std::current_exception();
+      }
+    });
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
+}
+
+void StreamedBlocks::run(const WriteBlock& write, StreamReport& report)
+{
+  this->summarize();
+  this->begin();
+  while (this->exchange())
+  {
+  }
+  this->finish(write, report);
+}
+
+void StreamedBlocks::summarize()
+{
+  if (!this->folder.has("summaries"))
+  {
+    this->stage(0.2, 0.3, "looking at blocks", this->all,
+      [this](std::int64_t block)
+      {
+        const std::string name = nameOf("summary-", block);
+        if (!this->folder.has(name))
+        {
+          const BlockRun run(this->settings.shape, this->points.pointsOf(block), this->options);
+          this->folder.write(name, { { 0, run.summary() } });
+        }
+      });
+    std::map<std::int64_t, std::vector<char>> sections;
+    for (const std::int64_t block : this->all)
+    {
+      sections[block] = this->folder.read(nameOf("summary-", block));
+    }
+    this->folder.write("summaries", sections);
+  }
+  this->folder.removeNumbered("summary-");
+  std::vector<BlockMessage> messages;
+  for (const FileSection& section : this->folder.sections("summaries"))
+  {
+    messages.push_back(this->folder.read("summaries", section));
+  }
+  Options quiet = this->options;
+  quiet.threads = this->settings.options.threads;
+  this->summaries = BlockSummaries(this->settings.shape, messages, quiet);
+}
+
+void StreamedBlocks::begin()
+{
+  if (!this->folder.has("round"))
+  {
+    this->stage(0.3, 0.6, "triangulating blocks", this->all,
+      [this](std::int64_t block)
+      {
+        if (!this->folder.has(this->stateOf(block, 0)))
+        {
+          this->points.storeRecords(block);
+          BlockRun run(this->settings.shape, this->points.pointsOf(block), this->options);
+          run.begin(this->summaries, static_cast<int>(block));
+          this->save(run, block, 0);
+        }
+      });
+    this->folder.write("round", { { 0, bytesOf(&this->round, 1) } });
+  }
+  this->points.removeChunks();
+  this->round = valueOf<std::int64_t>(this->folder.read("round"));
+  for (std::int64_t number = 0; number <= this->round; ++number)
+  {
+    this->beginRound(number);
+  }
+}
+
+std::string StreamedBlocks::stateOf(std::int64_t block, std::int64_t ofRound) const
+{
+  return nameOf(nameOfRound("block-", ofRound), block);
+}
+
+BlockMessage StreamedBlocks::saved(std::int64_t block) const
+{
+  return this->folder.read(this->stateOf(block, this->lastRound[static_cast<std::size_t>(block)]));
+}
+
+/// The block as it is in a round, with its queries. The file of the block comes last.
+void StreamedBlocks::save(BlockRun& run, std::int64_t block, std::int64_t ofRound)
+{
+  std::map<int, BlockMessage> queries = run.makeQueries();
+  const std::string name = nameOf(nameOfRound("queries-", ofRound), block);
+  if (!queries.empty())
+  {
+    this->folder.write(name, byReceiver(std::move(queries)));
+  }
+  this->folder.write(this->stateOf(block, ofRound), { { 0, run.save() } });
+}
+
+/// What is of earlier rounds is not needed any longer.
+void StreamedBlocks::beginRound(std::int64_t number)
+{
+  for (const auto& file : this->folder.numbered(nameOfRound("block-", number)))
+  {
+    std::int64_t& last = this->lastRound[static_cast<std::size_t>(file.first)];
+    if (last < number)
+    {
+      this->folder.remove(this->stateOf(file.first, last));
+      last = number;
+    }
+  }
+  if (number > 0)
+  {
+    this->folder.removeNumbered(nameOfRound("queries-", number - 1));
+    this->folder.removeNumbered(nameOfRound("replies-", number - 1));
+  }
+}
+
+/// One round. Returns whether any block had a query.
+bool StreamedBlocks::exchange()
+{
+  using Files = std::map<std::int64_t, FileSections>; // by the block that sends the messages
+  Files queries;
+  std::map<std::int64_t, Numbers> senders; // to each block that receives
+  Numbers querying;
+  const std::string queriesOf = nameOfRound("queries-", this->round);
+  for (const auto& file : this->folder.numbered(queriesOf))
+  {
+    querying.push_back(file.first);
+    queries[file.first] = this->folder.sections(file.second);
+    for (const FileSection& section : queries[file.first])
+    {
+      senders[section.key].push_back(file.first);
+    }
+  }
+  if (querying.empty())
+  {
+    return false;
+  }
+  Numbers replying;
+  for (const auto& receiver : senders)
+  {
+    replying.push_back(receiver.first);
+  }
+  const std::string repliesOf = nameOfRound("replies-", this->round);
+  this->stage(0.6, 0.8, "replying to queries", replying,
+    [&](std::int64_t block)
+    {
+      const std::string name = nameOf(repliesOf, block);
+      if (this->folder.has(name))
+      {
+        return;
+      }
+      BlockRun run(this->saved(block), this->options, this->summaries);
+      std::map<int, BlockMessage> replies;
+      for (const std::int64_t sender : senders.at(block))
+      {
+        replies[static_cast<int>(sender)] = run.reply(
+          this->folder.read(nameOf(queriesOf, sender), *sectionOf(queries.at(sender), block)));
+      }
+      this->folder.write(name, byReceiver(std::move(replies)));
+    });
+  Files replies;
+  for (const std::int64_t block : replying)
+  {
+    replies[block] = this->folder.sections(nameOf(repliesOf, block));
+  }
+  this->stage(0.6, 0.8, "adding replies", querying,
+    [&](std::int64_t block)
+    {
+      if (this->folder.has(this->stateOf(block, this->round + 1)))
+      {
+        return;
+      }
+      BlockRun run(this->saved(block), this->options, this->summaries);
+      for (const FileSection& query : queries.at(block))
+      {
+        const FileSection* const reply = sectionOf(replies.at(query.key), block);
+        ensure(reply);
+        run.receive(
+          static_cast<int>(query.key), this->folder.read(nameOf(repliesOf, query.key), *reply));
+      }
+      this->save(run, block, this->round + 1);
+    });
+  ++this->round;
+  this->folder.write("round", { { 0, bytesOf(&this->round, 1) } });
+  this->beginRound(this->round);
+  return true;
+}
+
+void StreamedBlocks::finish(const WriteBlock& write, StreamReport& report)
+{
+  const std::vector<double> origin =
+    this->settings.shape == BlockShape::Hull ? this->lowestPoint() : std::vector<double>();
+  this->stage(0.85, 1.0, "writing cells", this->all,
+    [&](std::int64_t block)
+    {
+      if (!this->folder.has(nameOf("taken-", block)))
+      {
+        this->take(block, origin, write);
+      }
+    });
+  BlockMeasure measure;
+  for (const std::int64_t block : this->all)
+  {
+    const auto taken = valueOf<Taken>(this->folder.read(nameOf("taken-", block)));
+    report.hidden += taken.hidden;
+    report.cells += taken.cells;
+    report.pointsReceived += taken.received;
+    report.dimension = std::max(report.dimension, static_cast<int>(taken.dimension));
+    measure += taken.measure;
+  }
+  if (!origin.empty())
+  {
+    BlockRun(this->saved(0), this->options, this->summaries)
+      .sizeOf(measure, report.volume, report.area);
+  }
+}
+
+/// The corner of lowest id, from which blocks measure their share of a hull; none of no points.
+std::vector<double> StreamedBlocks::lowestPoint()
+{
+  this->stage(0.8, 0.85, "measuring", this->all,
+    [this](std::int64_t block)
+    {
+      const std::string name = nameOf("lowest-", block);
+      if (!this->folder.has(name))
+      {
+        const BlockResult result =
+          BlockRun(this->saved(block), this->options, this->summaries).finish();
+        const auto& ids = result.cells.pointIds;
+        const auto at = std::min_element(ids.begin(), ids.end()) - ids.begin();
+        Lowest lowest;
+        if (!ids.empty())
+        {
+          lowest.id = ids[static_cast<std::size_t>(at)];
+          std::copy_n(result.positions.data() + 3 * at, 3, lowest.x);
+        }
+        this->folder.write(name, { { 0, bytesOf(&lowest, 1) } });
+      }
+    });
+  Lowest lowest;
+  for (const std::int64_t block : this->all)
+  {
+    const auto other = valueOf<Lowest>(this->folder.read(nameOf("lowest-", block)));
+    lowest = other.id < lowest.id ? other : lowest;
+  }
+  return lowest.id == Lowest().id ? std::vector<double>()
+                                  : std::vector<double>(lowest.x, lowest.x + 3);
+}
+
+void StreamedBlocks::take(
+  std::int64_t block, const std::vector<double>& origin, const WriteBlock& write)
+{
+  BlockRun run(this->saved(block), this->options, this->summaries);
+  StreamedBlock streamed;
+  streamed.number = block;
+  streamed.result = run.finish();
+  const CellComplex& cells = streamed.result.cells;
+  Taken taken{ static_cast<std::int64_t>(streamed.result.hiddenIds.size()), cells.cellCount(),
+    run.pointsReceived(), cells.dimension, {} };
+  if (!origin.empty())
+  {
+    taken.measure = run.measure(streamed.result, origin.data());
+  }
+  streamed.records = this->points.recordsOf(streamed.result);
+  const std::lock_guard<std::mutex> lock(this->writing);
+  if (this->writeFailed)
+  {
+    return; // nothing comes after an error
+  }
+  this->writeFailed = true;
+  callersFunction([&] { write(std::move(streamed)); });
+  this->writeFailed = false;
+  this->folder.write(nameOf("taken-", block), { { 0, bytesOf(&taken, 1) } });
+}
+
+}

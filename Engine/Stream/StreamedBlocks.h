@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The blocks of a streamed run: each waits in a file while others run, and so do messages.
+///
+/// The run is a row of stages. In a stage, each block that takes part reads files of the stages
+/// before, and writes one that no other block reads before the stage has ended. So a stage may end
+/// anywhere, and go on: what has its file is left out. A stage that has ended is marked; then the
+/// files that it made needless are removed.
+#ifndef flipflop_StreamedBlocks_h
+#define flipflop_StreamedBlocks_h
+
+#include "Stream/PointStore.h"
+#include "Stream/WorkFolder.h"
+#include "Support/Monitor.h"
+#include <flipflop/BlockRun.h>
+#include <flipflop/StreamedRun.h>
+
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace flipflop
+{
+
+class StreamedBlocks
+{
+public:
+  /// @param threads that work on a block each
+  StreamedBlocks(WorkFolder& inFolder, PointStore& allPoints, const StreamSettings& chosen,
+    Monitor& ofRun, int threadsOfRun);
+
+  /// All stages. What blocks report is added up.
+  void run(const WriteBlock& write, StreamReport& report);
+
+private:
+  using Numbers = std::vector<std::int64_t>;
+
+  void summarize();
+  void begin();
+  bool exchange();
+  void finish(const WriteBlock& write, StreamReport& report);
+  std::vector<double> lowestPoint();
+  void take(std::int64_t block, const std::vector<double>& origin, const WriteBlock& write);
+
+  void stage(double from, double to, const char* name, const Numbers& blocks,
+    const std::function<void(std::int64_t block)>& work);
+  std::string stateOf(std::int64_t block, std::int64_t ofRound) const;
+  BlockMessage saved(std::int64_t block) const;
+  void save(BlockRun& run, std::int64_t block, std::int64_t ofRound);
+  void beginRound(std::int64_t number);
+
+  WorkFolder& folder;
+  PointStore& points;
+  const StreamSettings& settings;
+  Monitor& monitor;
+  const int threads;
+  Options options; ///< of each block's runs
+  Numbers all;     ///< blocks
+  BlockSummaries summaries;
+  std::int64_t round = 0;
+  Numbers lastRound; ///< of each block: the round of its file
+  std::mutex writing;
+  bool writeFailed = false; ///< within its lock
+};
+
+}
+
+#endif
