@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFHullFilter.h"
 
-#include "Support/FloatingPointEnvironment.h"
 #include "Support/Threads.h"
 #include "vtkFFHullResult.h"
+#include "vtkFFHullStream.h"
 #include "vtkFFInput.h"
 #include "vtkFFOutput.h"
 #include "vtkFFRun.h"
@@ -18,20 +18,14 @@
 #include "vtkDataObject.h"
 #include "vtkDataObjectTypes.h"
 #include "vtkDemandDrivenPipeline.h"
-#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
-#include "vtkInformationExecutivePortKey.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTrivialProducer.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -40,7 +34,6 @@
 #include <functional>
 #include <memory>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -127,144 +120,6 @@ void runBlocks(const Blocks& blocks, vtkFFRun& run,
   }
 }
 
-/// Adds a piece of a streamed input to the hull of those before it.
-void addPiece(vtkFFHullFilter* filter, vtkDataObject* piece, vtkFFRun& run, vtkFFHullResult& whole)
-{
-  vtkFFInput input;
-  const vtkIdType size = input.Take(vtkFFInput::PiecesOf(piece), filter->GetSkipGhostPoints(), run);
-  const auto& parts = input.GetPieces();
-  const bool isFirst = whole.Data->GetPoints() == nullptr;
-  if (!isFirst &&
-    std::none_of(parts.begin(), parts.end(), [](vtkPointSet* part) { return part->GetPoints(); }))
-  {
-    return; // nothing here, not even a type of points
-  }
-  std::vector<vtkFFHullResult> hulls(2);
-  hulls[1].Take(input, filter->GetPassPointData(), run);
-  run.FirstId += size;
-  std::swap(hulls[isFirst ? 1 : 0], whole);
-  if (!isFirst)
-  {
-    whole.Join(hulls, run);
-  }
-}
-
-/// Who makes the data of this information, on which port; null: nobody.
-vtkExecutive* producerOf(vtkInformation* info, int& port)
-{
-  vtkExecutive* producer = nullptr;
-  if (info)
-  {
-    vtkExecutive::PRODUCER()->Get(info, producer, port);
-  }
-  return producer;
-}
-
-/// Whether a source upstream can deliver pieces. The executive asks those that cannot for the first
-/// piece alone, and leaves that in place of the others.
-bool canDeliver(vtkInformation* info, std::set<vtkExecutive*>& visited)
-{
-  int port = 0;
-  vtkExecutive* const producer = producerOf(info, port);
-  if (!producer || !visited.insert(producer).second)
-  {
-    return false;
-  }
-  vtkAlgorithm* const algorithm = producer->GetAlgorithm();
-  if (algorithm->GetTotalNumberOfInputConnections() == 0)
-  {
-    // What was set as data says that it can, and gives all for each piece.
-    return !vtkTrivialProducer::SafeDownCast(algorithm) &&
-      (info->Get(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST()) ||
-        info->Get(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT()));
-  }
-  for (int i = 0; i < algorithm->GetNumberOfInputPorts(); ++i)
-  {
-    for (int k = 0; k < algorithm->GetNumberOfInputConnections(i); ++k)
-    {
-      if (canDeliver(producer->GetInputInformation(i, k), visited))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-/// How many divisions of the piece that @p output is asked for there can be: numbers are ints.
-int divisionsOf(vtkInformation* output, int divisions)
-{
-  const int total = output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
-  return std::min(divisions, VTK_INT_MAX / std::max(1, total));
-}
-
-/// Has the next update upstream bring a division, from 0 on.
-void requestPiece(vtkInformation* input, vtkInformation* output, int divisions, int number)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  const int piece = output->Get(Pipeline::UPDATE_PIECE_NUMBER());
-  const int total = std::max(1, output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
-  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece * divisions + number);
-  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), total * divisions);
-}
-
-/// The hull of a streamed input, of which one piece is in memory at a time. The executive has
-/// brought the first one. The others come here: each is requested of the algorithm
-/// upstream. VTK's own streamers have their executive run them once for each piece
-/// (CONTINUE_EXECUTING); that loops for ever where the input fails at a later piece.
-void takePieces(vtkFFHullFilter* filter, vtkInformation* input, vtkInformation* output,
-  int divisions, vtkFFRun& run, vtkFFHullResult& whole)
-{
-  std::set<vtkExecutive*> visited;
-  const int count = canDeliver(input, visited) ? divisions : 1;
-  run.NonFiniteReach = count > 1 ? "so far" : "in all";
-  for (int number = 0; number < count && !run.Failure; ++number)
-  {
-    const auto work = [&]
-    {
-      if (filter->GetGenerateCertificate())
-      {
-        throw vtkFFBadSetting("A certificate needs all points at once, and the input is streamed. "
-                              "Turn off Generate Certificate, or set Number Of Stream Divisions to "
-                              "1.");
-      }
-      int port = 0;
-      vtkExecutive* const producer = producerOf(input, port);
-      requestPiece(input, output, divisions, number);
-      bool isThere = number == 0;
-      if (!isThere && producer)
-      {
-        const flipflop::CallersFloatingPointEnvironment upstream;
-        isThere = producer->Update(port);
-      }
-#if VTK_FF_HAS_CHECK_ABORT
-      if (input->Get(vtkAlgorithm::ABORTED()))
-      {
-        throw flipflop::Error(flipflop::ErrorCode::Aborted);
-      }
-#endif
-      vtkDataObject* const piece = isThere ? vtkDataObject::GetData(input) : nullptr;
-      if (!piece)
-      {
-        throw std::runtime_error("The input did not deliver it. Its own error says why.");
-      }
-      if (filter->GetCompositeMode() == vtkFFHullFilter::HULL_OF_EACH_BLOCK &&
-        vtkCompositeDataSet::SafeDownCast(piece))
-      {
-        throw vtkFFBadSetting("A composite that is streamed has one hull. Set Composite Mode to "
-                              "Hull of All Blocks, or Number Of Stream Divisions to 1.");
-      }
-      run.SetPart(number / static_cast<double>(count), (number + 1) / static_cast<double>(count));
-      addPiece(filter, piece, run, whole);
-    };
-    if (!run.Do(work) && run.Failure.Kind == vtkFFFailure::Other && count > 1)
-    {
-      run.Failure.Message = "Piece " + std::to_string(number + 1) + " of " + std::to_string(count) +
-        ": " + run.Failure.Message;
-    }
-  }
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -345,11 +200,10 @@ int vtkFFHullFilter::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int done = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-  vtkInformation* const output = outputVector->GetInformationObject(0);
-  const int divisions = divisionsOf(output, this->NumberOfStreamDivisions);
-  if (divisions > 1)
+  if (this->NumberOfStreamDivisions > 1)
   {
-    requestPiece(inputVector[0]->GetInformationObject(0), output, divisions, 0);
+    vtkFFHullStream::RequestPiece(inputVector[0]->GetInformationObject(0),
+      outputVector->GetInformationObject(0), this->NumberOfStreamDivisions, 0);
   }
   return done;
 }
@@ -362,7 +216,6 @@ int vtkFFHullFilter::RequestData(
   vtkInformation* const inputInfo = inputVector[0]->GetInformationObject(0);
   vtkInformation* const outputInfo = outputVector->GetInformationObject(0);
   vtkDataObject* const input = vtkDataObject::GetData(inputInfo);
-  const int divisions = divisionsOf(outputInfo, this->NumberOfStreamDivisions);
   if (this->HasHullOfEach(input))
   {
     this->Kept.reset();
@@ -370,7 +223,8 @@ int vtkFFHullFilter::RequestData(
       vtkCompositeDataSet::SafeDownCast(input), run, vtkCompositeDataSet::GetData(outputVector));
     return run.Finish();
   }
-  const bool keeps = divisions == 1 && !this->GetReleaseDataFlag();
+  const bool isStreamed = this->NumberOfStreamDivisions > 1;
+  const bool keeps = !isStreamed && !this->GetReleaseDataFlag();
   const vtkFFStamp stamp = keeps ? vtkFFStamp(this, input) : vtkFFStamp();
   const bool isKept =
     this->Kept && this->Kept->Stamp == stamp && (this->Kept->HasPointData || !this->PassPointData);
@@ -378,9 +232,13 @@ int vtkFFHullFilter::RequestData(
   {
     this->Kept = std::make_shared<KeptType>();
     vtkFFHullResult& hull = this->Kept->Hull;
-    if (divisions > 1)
+    if (isStreamed)
     {
-      takePieces(this, inputInfo, outputInfo, divisions, run, hull);
+      vtkFFHullStream stream(this, inputInfo, outputInfo, run);
+      for (int number = 0; number < stream.GetCount() && !run.Failure; ++number)
+      {
+        stream.TakePiece(number, hull);
+      }
     }
     else
     {

@@ -432,6 +432,23 @@ void vtkFFRun::NoteAbort()
 }
 
 //------------------------------------------------------------------------------
+void vtkFFRun::NameFailure(const std::string& words)
+{
+  vtkFFFailure& failure = this->Failure;
+  if (failure.Kind == vtkFFFailure::NonFinite)
+  {
+    failure.Say(this->NonFiniteWhat + " is NaN or infinite: first at " +
+        this->DescribePoint(failure.Point) + ", " + std::to_string(failure.Count) +
+        " such point(s) " + this->NonFiniteReach + ". " + this->NonFiniteAdvice,
+      vtkFFErrorCode::NonFiniteError);
+  }
+  if (failure.Kind == vtkFFFailure::Other)
+  {
+    failure.Message = words + failure.Message;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkFFRun::AddToReport(const flipflop::CellComplex& cells, vtkDataObject* output)
 {
   vtkFFAlgorithm* const filter = this->Reporter;
@@ -486,20 +503,15 @@ int vtkFFRun::Finish(bool aloud)
   }
   else
   {
-    const bool isNonFinite = failure.Kind == vtkFFFailure::NonFinite;
-    this->SetCode(
-      isNonFinite ? static_cast<unsigned long>(vtkFFErrorCode::NonFiniteError) : failure.Code);
+    this->NameFailure({});
+    this->SetCode(failure.Code);
     if (aloud && this->Reporter)
     {
       this->Reporter->NumberOfNonFinitePoints += failure.Count;
     }
     if (aloud)
     {
-      vtkErrorWithObjectMacro(this->Filter,
-        << (isNonFinite ? this->NonFiniteWhat + " is NaN or infinite: first at " +
-                 this->DescribePoint(failure.Point) + ", " + std::to_string(failure.Count) +
-                 " such point(s) " + this->NonFiniteReach + ". " + this->NonFiniteAdvice
-                        : failure.Message));
+      vtkErrorWithObjectMacro(this->Filter, << failure.Message);
     }
   }
   for (int port = 0; this->Outputs && port < this->Outputs->GetNumberOfInformationObjects(); ++port)

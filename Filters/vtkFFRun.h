@@ -219,6 +219,11 @@ public:
   void NoteAbort();
 
   /**
+   * A failure that is no abort becomes one in words, with these before it.
+   */
+  void NameFailure(const std::string& words);
+
+  /**
    * Add a result to what the filter reports of its last run; and to the output's field data, if
    * that was asked for.
    */

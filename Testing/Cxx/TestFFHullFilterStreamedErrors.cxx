@@ -170,7 +170,7 @@ void testBadPieces()
       stream.Fails(code, part, static_cast<std::size_t>(at + 1));
     };
     fails(notFinite, vtkFFErrorCode::NonFiniteError,
-      "A coordinate is NaN or infinite: first at point " + std::to_string(100 * at + 11) +
+      piece + "A coordinate is NaN or infinite: first at point " + std::to_string(100 * at + 11) +
         ", 2 such point(s) so far. Remove them, or set Non Finite Points to Ignore.");
     fails(inexact, vtkFFErrorCode::InputError,
       piece + "A coordinate is a 64-bit integer that no double holds: first at point " +

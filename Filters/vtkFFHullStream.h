@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFFHullStream
+ * @brief   an input in pieces, of which one is in memory at a time
+ *
+ * The executive brings the first piece to RequestData(). The others are requested of the algorithm
+ * upstream from there. VTK's own streamers have their executive run them once for each piece
+ * (CONTINUE_EXECUTING); that loops for ever where the input fails at a later piece.
+ */
+
+#ifndef vtkFFHullStream_h
+#define vtkFFHullStream_h
+
+#include "vtkFFMarks.h"
+
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataObject;
+class vtkFFHullFilter;
+struct vtkFFHullResult;
+class vtkFFRun;
+class vtkInformation;
+
+class vtkFFHullStream
+{
+public:
+  /**
+   * Have the next update upstream bring one of so many divisions of the piece that @p output is
+   * asked for, from 0 on. A null input is left alone.
+   */
+  static void RequestPiece(
+    vtkInformation* input, vtkInformation* output, int divisions, int number);
+
+  /**
+   * The input of RequestData() in as many divisions as the filter has.
+   *
+   * @param ofProcess of several processes, how failures name this one: " of process 2". Ids count
+   *        the points that are no ghosts then; otherwise all.
+   */
+  vtkFFHullStream(vtkFFHullFilter* filter, vtkInformation* input, vtkInformation* output,
+    vtkFFRun& run, const std::string& ofProcess = {});
+
+  /**
+   * How many pieces there are: 1 if nobody upstream can deliver pieces.
+   */
+  int GetCount() const { return this->Count; }
+
+  /**
+   * Read a piece, from 0 on, and add it to the hull of those before. What goes wrong is the run's
+   * failure, and names the piece.
+   */
+  void TakePiece(int number, vtkFFHullResult& whole);
+
+private:
+  vtkDataObject* ReadPiece(int number);
+  void AddPiece(vtkDataObject* piece, vtkFFHullResult& whole);
+
+  vtkFFHullFilter* const Filter;
+  vtkInformation* const Input;
+  vtkInformation* const Output;
+  vtkFFRun& Run;
+  const std::string OfProcess;
+  int Count;
+  bool IsOneOfMany; ///< pieces, which failures name
+};
+VTK_ABI_NAMESPACE_END
+
+#endif
