@@ -17,6 +17,42 @@ void BlockCells::add(const std::vector<SiteHandle>& cell)
   this->ends.push_back(this->corners.size());
 }
 
+void BlockCells::save(MessageWriter& writer) const
+{
+  const std::size_t begin = this->restored > 0 ? this->ends[this->restored - 1] : 0;
+  std::vector<std::uint32_t> sizes;
+  for (std::size_t cell = this->restored; cell < this->ends.size(); ++cell)
+  {
+    sizes.push_back(
+      static_cast<std::uint32_t>(this->ends[cell] - (cell > 0 ? this->ends[cell - 1] : 0)));
+  }
+  // Most cells of most blocks are triangles.
+  const bool areTriangles =
+    std::all_of(sizes.begin(), sizes.end(), [](std::uint32_t size) { return size == 3; });
+  writer.add(areTriangles ? sizes.size() : 0);
+  writer.addAll(areTriangles ? std::vector<std::uint32_t>() : sizes);
+  writer.addAll(std::vector<SiteHandle>(
+    this->corners.begin() + static_cast<std::ptrdiff_t>(begin), this->corners.end()));
+}
+
+void BlockCells::restore(MessageReader& reader)
+{
+  const auto triangles = reader.read<std::size_t>();
+  auto sizes = reader.readAll<std::uint32_t>();
+  const auto all = reader.readAll<SiteHandle>();
+  if (triangles > 0)
+  {
+    sizes.assign(triangles, 3);
+  }
+  for (const std::uint32_t size : sizes)
+  {
+    this->ends.push_back((this->ends.empty() ? 0 : this->ends.back()) + size);
+  }
+  this->corners.insert(this->corners.end(), all.begin(), all.end());
+  ensure(this->corners.size() == (this->ends.empty() ? 0 : this->ends.back()));
+  this->restored = this->ends.size();
+}
+
 /// The block's own points are in order by their ranks; the others are few.
 std::vector<SiteHandle> BlockCells::usedById(const ReceivedSites& known) const
 {

@@ -32,20 +32,10 @@ inline void cornersOf(const CellComplex& complex, std::int64_t cell,
 class BlockCells
 {
 public:
-  BlockCells() = default;
-
   ///@{
-  /// To bytes, and from them.
-  explicit BlockCells(MessageReader& reader)
-    : corners(reader.readAll<SiteHandle>())
-    , ends(reader.readAll<std::size_t>())
-  {
-  }
-  void save(MessageWriter& writer) const
-  {
-    writer.addAll(this->corners);
-    writer.addAll(this->ends);
-  }
+  /// The cells that were added, not restored, to bytes; and from them, after the others.
+  void save(MessageWriter& writer) const;
+  void restore(MessageReader& reader);
   ///@}
 
   /// @param corners in their order
@@ -62,6 +52,7 @@ private:
 
   std::vector<SiteHandle> corners; ///< of one cell after another
   std::vector<std::size_t> ends;   ///< of each cell there
+  std::size_t restored = 0;        ///< cells
 };
 
 }

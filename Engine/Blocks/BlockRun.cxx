@@ -60,9 +60,10 @@ class BlockRun::State
 {
 public:
   State(BlockShape ofShape, const BlockPoints& points, const Options& chosen);
-  State(
-    MessageReader& reader, const Options& chosen, const std::shared_ptr<const BlockFrame>& ofAll);
+  State(MessageReader& points, const std::vector<BlockMessage>& saved, const Options& chosen,
+    const std::shared_ptr<const BlockFrame>& ofAll);
 
+  BlockMessage savePoints() const;
   BlockMessage save() const;
   BlockMessage summary() const { return this->own.message(); }
   void begin(const std::vector<BlockMessage>& summaries, int number);
@@ -76,6 +77,7 @@ public:
   std::int64_t pointsReceived() const { return this->known.foreignCount(); }
 
 private:
+  void restore(MessageReader& reader);
   CellComplex run(const std::vector<BlockSite>& sites, const Options& choices);
   CellComplex runOn(std::vector<SiteHandle>& members);
   std::map<int, BlockMessage> gather();
@@ -90,6 +92,7 @@ private:
   int self = -1; ///< before the run begins
   std::shared_ptr<const BlockFrame> frame = std::make_shared<const BlockFrame>();
   ReceivedSites known;
+  SiteHandle knownAtFirst = 0; ///< when the run began
   BlockCells cells;
   std::unique_ptr<BlockReach> reach;     ///< from its first use on
   std::unique_ptr<OpenFacets> facets;    ///< null: there are no queries
@@ -117,27 +120,82 @@ BlockRun::State::State(BlockShape ofShape, const BlockPoints& points, const Opti
 {
 }
 
-BlockRun::State::State(
-  MessageReader& reader, const Options& chosen, const std::shared_ptr<const BlockFrame>& ofAll)
-  : shape(reader.read<BlockShape>())
+BlockRun::State::State(MessageReader& points, const std::vector<BlockMessage>& saved,
+  const Options& chosen, const std::shared_ptr<const BlockFrame>& ofAll)
+  : shape(points.read<BlockShape>())
   , options(chosen)
-  , ownSites(reader.readAll<BlockSite>())
-  , ownCount(reader.read<std::int64_t>())
-  , own(reader.readAll<char>())
-  , self(reader.read<int>())
+  , ownCount(points.read<std::int64_t>())
+  , own(points.readAll<char>())
+  , self(points.read<int>())
+{
+  if (!ofAll || ofAll->shape != this->shape || ofAll->blocks <= this->self)
+  {
+    throw badArgument("a saved block needs the summaries of all blocks");
+  }
+  if (saved.empty())
+  {
+    throw badArgument("a saved block is its points and what save() gave, once or more often");
+  }
+  this->frame = ofAll;
+  this->known = ReceivedSites(points.readAll<BlockSite>(), this->self);
+  this->knownAtFirst = this->known.size();
+  this->visible = points.readAll<SiteHandle>();
+  ensure(points.atEnd());
+  for (const BlockMessage& message : saved)
+  {
+    MessageReader reader(message);
+    reader.checkHash();
+    this->cells.restore(reader);
+    if (&message == &saved.back())
+    {
+      this->restore(reader);
+      ensure(reader.atEnd());
+    }
+  }
+}
+
+/// What is the same after each round.
+BlockMessage BlockRun::State::savePoints() const
 {
   if (this->self < 0)
   {
-    return;
+    throw badArgument("a block can be saved after begin()");
   }
-  if (!ofAll || ofAll->shape != this->shape || ofAll->blocks <= this->self)
+  MessageWriter writer;
+  writer.add(this->shape);
+  writer.add(this->ownCount);
+  writer.addAll(this->own.message());
+  writer.add(this->self);
+  writer.addAll(this->known.from(0, this->knownAtFirst));
+  writer.addAll(this->visible);
+  writer.addHash();
+  return std::move(writer.message);
+}
+
+BlockMessage BlockRun::State::save() const
+{
+  MessageWriter writer;
+  this->cells.save(writer);
+  writer.addAll(this->known.from(this->knownAtFirst, this->known.size()));
+  writer.addAll(this->arrived);
+  writer.add(this->round);
+  writer.add(this->statistics);
+  writer.add(this->gathering);
+  writer.add(this->facets != nullptr);
+  if (this->facets)
   {
-    throw badArgument("a saved block that has begun needs the summaries of all blocks");
+    this->facets->save(writer);
   }
-  this->frame = ofAll;
-  this->known = ReceivedSites(reader.readAll<BlockSite>(), this->self);
-  this->cells = BlockCells(reader);
-  this->visible = reader.readAll<SiteHandle>();
+  writer.addHash();
+  return std::move(writer.message);
+}
+
+void BlockRun::State::restore(MessageReader& reader)
+{
+  for (const BlockSite& site : reader.readAll<BlockSite>())
+  {
+    this->known.add(site);
+  }
   this->arrived = reader.readAll<SiteHandle>();
   this->round = reader.read<int>();
   this->statistics = reader.read<Statistics>();
@@ -146,35 +204,8 @@ BlockRun::State::State(
   {
     this->facets =
       std::make_unique<OpenFacets>(*this->frame, this->options, this->known, this->cells);
-    this->facets->restore(reader);
+    this->facets->restore(reader, this->knownAtFirst);
   }
-}
-
-BlockMessage BlockRun::State::save() const
-{
-  MessageWriter writer;
-  writer.add(this->shape);
-  writer.addAll(this->ownSites);
-  writer.add(this->ownCount);
-  writer.addAll(this->own.message());
-  writer.add(this->self);
-  if (this->self >= 0)
-  {
-    writer.addAll(this->known.all());
-    this->cells.save(writer);
-    writer.addAll(this->visible);
-    writer.addAll(this->arrived);
-    writer.add(this->round);
-    writer.add(this->statistics);
-    writer.add(this->gathering);
-    writer.add(this->facets != nullptr);
-    if (this->facets)
-    {
-      this->facets->save(writer);
-    }
-  }
-  writer.addHash();
-  return std::move(writer.message);
 }
 
 void BlockRun::State::begin(const std::vector<BlockMessage>& summaries, int number)
@@ -205,6 +236,7 @@ void BlockRun::State::begin(std::shared_ptr<const BlockFrame> ofAll, int number)
     all.push_back(this->frame->pointOffLine());
   }
   this->known = ReceivedSites(std::move(all), this->self);
+  this->knownAtFirst = this->known.size();
   const CellComplex complex = this->run(this->known.all(), this->options);
 
   // Others may request the points that appear, and that not all have.
@@ -479,21 +511,24 @@ BlockRun::BlockRun(BlockShape shape, const BlockPoints& points, const Options& o
 {
 }
 
-BlockRun::BlockRun(
-  const BlockMessage& saved, const Options& options, const BlockSummaries& summaries)
+BlockRun::BlockRun(const BlockMessage& points, const std::vector<BlockMessage>& saved,
+  const Options& options, const BlockSummaries& summaries)
   : state(engineCall(
       [&]
       {
-        MessageReader reader(saved);
+        MessageReader reader(points);
         reader.checkHash();
-        auto restored = std::make_unique<State>(reader, options, summaries.frame);
-        ensure(reader.atEnd());
-        return restored;
+        return std::make_unique<State>(reader, saved, options, summaries.frame);
       }))
 {
 }
 
 BlockRun::~BlockRun() = default;
+
+BlockMessage BlockRun::savePoints() const
+{
+  return engineCall([&] { return this->state->savePoints(); });
+}
 
 BlockMessage BlockRun::save() const
 {

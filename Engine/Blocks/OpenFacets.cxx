@@ -45,7 +45,15 @@ OpenFacets::OpenFacets(
 
 void OpenFacets::save(MessageWriter& writer) const
 {
-  writer.addAll(this->activity);
+  std::vector<SiteHandle> active;
+  for (SiteHandle handle = 0; handle < this->activity.size(); ++handle)
+  {
+    if (this->isActive(handle))
+    {
+      active.push_back(handle);
+    }
+  }
+  writer.addAll(active);
   writer.addAll(this->core);
   writer.addAll(this->hidden);
   writer.add(this->facets.size());
@@ -58,9 +66,14 @@ void OpenFacets::save(MessageWriter& writer) const
   }
 }
 
-void OpenFacets::restore(MessageReader& reader)
+void OpenFacets::restore(MessageReader& reader, SiteHandle knownAtFirst)
 {
-  this->activity = reader.readAll<std::uint8_t>();
+  this->activity.assign(knownAtFirst, Idle);
+  for (const SiteHandle handle : reader.readAll<SiteHandle>())
+  {
+    ensure(handle < knownAtFirst);
+    this->activity[handle] = Active;
+  }
   this->core = reader.readAll<SiteHandle>();
   this->hidden = reader.readAll<std::int64_t>();
   for (auto count = reader.read<std::size_t>(); count > 0; --count)

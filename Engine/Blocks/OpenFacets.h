@@ -57,8 +57,9 @@ public:
 
   ///@{
   /// To bytes, and from them, instead of begin().
+  /// @param knownAtFirst how many points were known in the beginning
   void save(MessageWriter& writer) const;
-  void restore(MessageReader& reader);
+  void restore(MessageReader& reader, SiteHandle knownAtFirst);
   ///@}
 
   /// Take the cells of the first run, on all that is known.

@@ -60,6 +60,12 @@ public:
   const BlockSite& operator[](SiteHandle handle) const { return this->sites[handle]; }
   SiteHandle size() const { return static_cast<SiteHandle>(this->sites.size()); }
   const std::vector<BlockSite>& all() const { return this->sites; }
+
+  /// Those from the first handle on, before the last.
+  std::vector<BlockSite> from(SiteHandle first, SiteHandle last) const
+  {
+    return { this->sites.begin() + first, this->sites.begin() + last };
+  }
   bool isOwn(SiteHandle handle) const { return (*this)[handle].block == this->self; }
 
   std::size_t ownCount() const { return this->sites.size() - this->foreign.size(); }

@@ -77,7 +77,7 @@ StreamedBlocks::StreamedBlocks(WorkFolder& inFolder, PointStore& allPoints,
   , threads(threadsOfRun)
   , options(chosen.options)
   , all(static_cast<std::size_t>(allPoints.counts().blocks))
-  , lastRound(this->all.size())
+  , rounds(this->all.size())
 {
   this->options.threads = 1;
   this->options.progress = goesOn;
@@ -172,6 +172,7 @@ void StreamedBlocks::begin()
           this->points.storeRecords(block);
           BlockRun run(this->settings.shape, this->points.pointsOf(block), this->options);
           run.begin(this->summaries, static_cast<int>(block));
+          this->folder.write(nameOf("points-", block), { { 0, run.savePoints() } });
           this->save(run, block, 0);
         }
       });
@@ -190,12 +191,21 @@ std::string StreamedBlocks::stateOf(std::int64_t block, std::int64_t ofRound) co
   return nameOf(nameOfRound("block-", ofRound), block);
 }
 
-BlockMessage StreamedBlocks::saved(std::int64_t block) const
+BlockRun StreamedBlocks::restored(std::int64_t block, Cells cells) const
 {
-  return this->folder.read(this->stateOf(block, this->lastRound[static_cast<std::size_t>(block)]));
+  const Numbers& saved = this->rounds[static_cast<std::size_t>(block)];
+  std::vector<BlockMessage> messages;
+  for (const std::int64_t ofRound : saved)
+  {
+    if (cells == Cells::All || ofRound == saved.back())
+    {
+      messages.push_back(this->folder.read(this->stateOf(block, ofRound)));
+    }
+  }
+  return { this->folder.read(nameOf("points-", block)), messages, this->options, this->summaries };
 }
 
-/// The block as it is in a round, with its queries. The file of the block comes last.
+/// What the block has found in a round, with its queries. The file of the block comes last.
 void StreamedBlocks::save(BlockRun& run, std::int64_t block, std::int64_t ofRound)
 {
   std::map<int, BlockMessage> queries = run.makeQueries();
@@ -207,17 +217,12 @@ void StreamedBlocks::save(BlockRun& run, std::int64_t block, std::int64_t ofRoun
   this->folder.write(this->stateOf(block, ofRound), { { 0, run.save() } });
 }
 
-/// What is of earlier rounds is not needed any longer.
+/// Messages of the round before are not needed any longer.
 void StreamedBlocks::beginRound(std::int64_t number)
 {
   for (const auto& file : this->folder.numbered(nameOfRound("block-", number)))
   {
-    std::int64_t& last = this->lastRound[static_cast<std::size_t>(file.first)];
-    if (last < number)
-    {
-      this->folder.remove(this->stateOf(file.first, last));
-      last = number;
-    }
+    this->rounds[static_cast<std::size_t>(file.first)].push_back(number);
   }
   if (number > 0)
   {
@@ -261,7 +266,7 @@ bool StreamedBlocks::exchange()
       {
         return;
       }
-      BlockRun run(this->saved(block), this->options, this->summaries);
+      BlockRun run = this->restored(block, Cells::ToCome);
       std::map<int, BlockMessage> replies;
       for (const std::int64_t sender : senders.at(block))
       {
@@ -282,7 +287,7 @@ bool StreamedBlocks::exchange()
       {
         return;
       }
-      BlockRun run(this->saved(block), this->options, this->summaries);
+      BlockRun run = this->restored(block, Cells::ToCome);
       for (const FileSection& query : queries.at(block))
       {
         const FileSection* const reply = sectionOf(replies.at(query.key), block);
@@ -322,8 +327,7 @@ void StreamedBlocks::finish(const WriteBlock& write, StreamReport& report)
   }
   if (!origin.empty())
   {
-    BlockRun(this->saved(0), this->options, this->summaries)
-      .sizeOf(measure, report.volume, report.area);
+    this->restored(0, Cells::ToCome).sizeOf(measure, report.volume, report.area);
   }
 }
 
@@ -336,8 +340,7 @@ std::vector<double> StreamedBlocks::lowestPoint()
       const std::string name = nameOf("lowest-", block);
       if (!this->folder.has(name))
       {
-        const BlockResult result =
-          BlockRun(this->saved(block), this->options, this->summaries).finish();
+        const BlockResult result = this->restored(block, Cells::All).finish();
         const auto& ids = result.cells.pointIds;
         const auto at = std::min_element(ids.begin(), ids.end()) - ids.begin();
         Lowest lowest;
@@ -362,7 +365,7 @@ std::vector<double> StreamedBlocks::lowestPoint()
 void StreamedBlocks::take(
   std::int64_t block, const std::vector<double>& origin, const WriteBlock& write)
 {
-  BlockRun run(this->saved(block), this->options, this->summaries);
+  BlockRun run = this->restored(block, Cells::All);
   StreamedBlock streamed;
   streamed.number = block;
   streamed.result = run.finish();

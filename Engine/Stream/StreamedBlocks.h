@@ -48,7 +48,12 @@ private:
   void stage(double from, double to, const char* name, const Numbers& blocks,
     const std::function<void(std::int64_t block)>& work);
   std::string stateOf(std::int64_t block, std::int64_t ofRound) const;
-  BlockMessage saved(std::int64_t block) const;
+  enum class Cells
+  {
+    ToCome,
+    All
+  };
+  BlockRun restored(std::int64_t block, Cells cells) const;
   void save(BlockRun& run, std::int64_t block, std::int64_t ofRound);
   void beginRound(std::int64_t number);
 
@@ -61,7 +66,7 @@ private:
   Numbers all;     ///< blocks
   BlockSummaries summaries;
   std::int64_t round = 0;
-  Numbers lastRound; ///< of each block: the round of its file
+  std::vector<Numbers> rounds; ///< of each block: those after which it was saved
   std::mutex writing;
   bool writeFailed = false; ///< within its lock
 };

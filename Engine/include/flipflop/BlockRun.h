@@ -113,8 +113,9 @@ struct BlockMeasure
 /// Points at the same position must be in the same block. The rounds end: each round in which a
 /// block has queries brings it a point that it did not have, or makes a cell certain.
 ///
-/// Between any two calls, save() gives the block as bytes, from which it can be made again. So
-/// there may be more blocks than memory holds at once.
+/// Between any two calls after begin(), the block can be saved as bytes, from which it can be made
+/// again: savePoints() once, save() each time. So there may be more blocks than memory holds at
+/// once.
 class BlockRun
 {
 public:
@@ -129,12 +130,15 @@ public:
   BlockRun(BlockShape shape, const BlockPoints& points, const Options& options);
 
   /// A block that was saved. It has the results and sends the messages that the saved one would.
-  /// @param saved     of save()
+  /// @param points    of savePoints()
+  /// @param saved     of save(), as often as it was called, in order. The last one is enough for
+  ///                  all but finish(), which needs the cells of all.
   /// @param options   of each run that follows; the same facets as before
-  /// @param summaries that begin() was given; not read if the block was saved before begin()
-  /// @throw Error     Internal if a byte has changed; BadArgument without the summaries
-  BlockRun(const BlockMessage& saved, const Options& options,
-    const BlockSummaries& summaries = BlockSummaries());
+  /// @param summaries that begin() was given
+  /// @throw Error     Internal if a byte has changed; BadArgument without the summaries, or with
+  ///                  nothing saved
+  BlockRun(const BlockMessage& points, const std::vector<BlockMessage>& saved,
+    const Options& options, const BlockSummaries& summaries);
 
   ~BlockRun();
   BlockRun(const BlockRun&) = delete;
@@ -143,9 +147,14 @@ public:
   /// What all blocks need of this one: bounds, and a sample of its points.
   BlockMessage summary() const;
 
-  /// The block as it is, as bytes for the same build on machines of one kind. The summaries are
-  /// not among them.
+  ///@{
+  /// The block as bytes, for the same build on machines of one kind: the points that it had after
+  /// begin(), which stay; and all else, of the cells those found since the block was made, by
+  /// either constructor. The summaries are not among them.
+  /// @throw Error BadArgument before begin()
+  BlockMessage savePoints() const;
   BlockMessage save() const;
+  ///@}
 
   ///@{
   /// Triangulate the block's points.

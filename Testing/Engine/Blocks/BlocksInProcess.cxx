@@ -76,6 +76,7 @@ public:
   {
     this->runs.push_back(std::move(run));
     this->saved.emplace_back();
+    this->hasBegun.push_back(false);
   }
 
   /// For one call.
@@ -83,17 +84,20 @@ public:
   {
     for (std::size_t i = 0; this->waiting == Waiting::AsBytes && i < this->runs.size(); ++i)
     {
-      if (this->runs[i])
+      if (this->runs[i] && this->hasBegun[i])
       {
-        this->saved[i] = this->runs[i]->save();
+        Saved& saved = this->saved[i];
+        saved.points = saved.rest.empty() ? this->runs[i]->savePoints() : saved.points;
+        saved.rest.push_back(this->runs[i]->save());
         this->runs[i].reset();
       }
     }
-    std::unique_ptr<BlockRun>& run = this->runs[static_cast<std::size_t>(block)];
+    const auto i = static_cast<std::size_t>(block);
+    std::unique_ptr<BlockRun>& run = this->runs[i];
     if (!run)
     {
       run = std::make_unique<BlockRun>(
-        this->saved[static_cast<std::size_t>(block)], this->options, this->summaries);
+        this->saved[i].points, this->saved[i].rest, this->options, this->summaries);
     }
     return *run;
   }
@@ -114,6 +118,7 @@ public:
       {
         (*this)[block].begin(messages, block);
       }
+      this->hasBegun[static_cast<std::size_t>(block)] = true;
     }
   }
 
@@ -122,7 +127,14 @@ private:
   const Options options;
   BlockSummaries summaries;
   std::vector<std::unique_ptr<BlockRun>> runs;
-  std::vector<BlockMessage> saved;
+
+  struct Saved
+  {
+    BlockMessage points;
+    std::vector<BlockMessage> rest;
+  };
+  std::vector<Saved> saved;
+  std::vector<bool> hasBegun;
 };
 
 template <class T>

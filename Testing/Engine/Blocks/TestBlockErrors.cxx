@@ -123,25 +123,28 @@ TEST(BlockErrors, DamagedSavedBlocks)
   }
   BlockRun run(BlockShape::RegularTriangulation, pointsOf(places, ids), Options());
   const BlockSummaries summaries(BlockShape::RegularTriangulation, { run.summary() }, Options());
-  for (const bool hasBegun : { false, true })
+  EXPECT_EQ(codeOf([&] { run.savePoints(); }), ErrorCode::BadArgument) << "before begin()";
+  run.begin(summaries, 0);
+  const BlockMessage points = run.savePoints();
+  const BlockMessage rest = run.save();
+  const auto restored = [&](const BlockMessage& first, const std::vector<BlockMessage>& saved)
+  { return codeOf([&] { BlockRun(first, saved, Options(), summaries); }); };
+  const auto expectDamaged = [](const BlockMessage& whole, const auto& restore)
   {
-    if (hasBegun)
+    for (std::size_t at = 0; at < whole.size(); at += 1 + at % 7)
     {
-      run.begin(summaries, 0);
-    }
-    const BlockMessage saved = run.save();
-    for (std::size_t at = 0; at < saved.size(); at += 1 + at % 7)
-    {
-      const auto restored = [&](const BlockMessage& bytes)
-      { return codeOf([&] { BlockRun(bytes, Options(), summaries); }); };
-      BlockMessage damaged = saved;
+      BlockMessage damaged = whole;
       damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
-      EXPECT_EQ(restored(damaged), ErrorCode::Internal) << at;
-      damaged = BlockMessage(saved.begin(), saved.begin() + static_cast<std::ptrdiff_t>(at));
-      EXPECT_EQ(restored(damaged), ErrorCode::Internal) << "the first " << at;
+      EXPECT_EQ(restore(damaged), ErrorCode::Internal) << at;
+      damaged = BlockMessage(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(at));
+      EXPECT_EQ(restore(damaged), ErrorCode::Internal) << "the first " << at;
     }
-  }
-  EXPECT_EQ(codeOf([&] { BlockRun(run.save(), Options()); }), ErrorCode::BadArgument)
+  };
+  expectDamaged(points, [&](const BlockMessage& damaged) { return restored(damaged, { rest }); });
+  expectDamaged(rest, [&](const BlockMessage& damaged) { return restored(points, { damaged }); });
+  EXPECT_EQ(restored(points, {}), ErrorCode::BadArgument) << "nothing saved";
+  EXPECT_EQ(codeOf([&] { BlockRun(points, { rest }, Options(), BlockSummaries()); }),
+    ErrorCode::BadArgument)
     << "no summaries";
 }
 
