@@ -131,8 +131,8 @@ public:
    * - Dimension, volume, area and the numbers of points are of all
    *   pieces. The other statistics are sums over the runs.
    *
-   * If the output itself is asked for in pieces, each is divided. Several processes can not stream:
-   * vtkPFFHullFilter reports an error.
+   * If the output itself is asked for in pieces, each is divided. Several processes stream with
+   * vtkPFFHullFilter.
    */
   vtkSetClampMacro(NumberOfStreamDivisions, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfStreamDivisions, int);

@@ -6,6 +6,7 @@
 #include "vtkFFDistributedInput.h"
 #include "vtkFFDistributedPoints.h"
 #include "vtkFFHullResult.h"
+#include "vtkFFHullStream.h"
 #include "vtkFFInput.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPointMessage.h"
@@ -229,13 +230,11 @@ bool staysDistributed(
     (mode == vtkPFFHullFilter::RESULT_AUTOMATIC && points > filter->GetGatheredPointsLimit());
 }
 
-/// The hull of the points that all processes have of a block: on process 0; or a share on each, and
-/// whether another process counts each of its points. Collective.
-void computeHull(vtkPFFHullFilter* filter, vtkFFInput& input, bool mayStay,
-  vtkFFProcesses& processes, vtkFFHullResult& hull, std::optional<std::vector<bool>>& duplicates)
+/// The hull of what this process has becomes that of what all have: on process 0; or a share on
+/// each, and whether another process counts each of its points. Collective.
+void join(vtkPFFHullFilter* filter, bool mayStay, vtkFFProcesses& processes, vtkFFHullResult& hull,
+  std::optional<std::vector<bool>>& duplicates)
 {
-  input.TakeCoordinates();
-  hull.Take(input, filter->GetPassPointData(), processes.GetRun());
   const flipflop::Statistics& statistics = hull.Hull.statistics;
   const std::vector<vtkIdType> counts = processes.Sum(
     { static_cast<vtkIdType>(statistics.points), static_cast<vtkIdType>(statistics.nonFinite) });
@@ -249,6 +248,100 @@ void computeHull(vtkPFFHullFilter* filter, vtkFFInput& input, bool mayStay,
   }
   hull.Hull.statistics.points = counts[0];
   hull.Hull.statistics.nonFinite = counts[1];
+}
+
+/// The hull of each block's points. Collective.
+std::vector<vtkFFHullResult> hullsOf(vtkPFFHullFilter* filter, const Blocks& blocks,
+  vtkFFProcesses& processes, std::optional<std::vector<bool>>& duplicates)
+{
+  vtkFFRun& run = processes.GetRun();
+  const std::size_t count = blocks.size();
+  std::vector<vtkFFInput> inputs(count);
+  const std::vector<vtkIdType> begins = readPoints(filter, blocks, processes, inputs);
+
+  // Points that are not finite are counted to the last block before they are an error.
+  std::vector<vtkFFHullResult> hulls(count);
+  vtkFFFailure failure;
+  for (std::size_t b = 0; b < count && failure.Kind <= vtkFFFailure::NonFinite; ++b)
+  {
+    run.SetPart(static_cast<double>(b) / static_cast<double>(count),
+      static_cast<double>(b + 1) / static_cast<double>(count));
+    run.FirstId = begins[b];
+    run.Failure = vtkFFFailure();
+    processes.Do(
+      [&]
+      {
+        inputs[b].TakeCoordinates();
+        hulls[b].Take(inputs[b], filter->GetPassPointData(), run);
+        join(filter, count == 1, processes, hulls[b], duplicates);
+      });
+    failure.Add(run.Failure);
+  }
+  run.Failure = failure;
+  if (failure)
+  {
+    throw vtkFFSharedFailure();
+  }
+  return hulls;
+}
+
+/// Adds what other processes have read to this process's ids, and to the parts. Collective.
+void countPieces(vtkFFHullResult& hull, vtkFFProcesses& processes)
+{
+  vtkFFRun& run = processes.GetRun();
+  std::vector<vtkIdType> own; // numbers of points, and blocks
+  for (const vtkFFRun::PartType& part : run.Parts)
+  {
+    own.insert(own.end(), { part.NumberOfPoints, static_cast<vtkIdType>(part.FlatIndex) });
+  }
+  if (own.empty())
+  {
+    own = { run.FirstId, 0 };
+  }
+  const std::vector<std::vector<vtkIdType>> all = processes.Gather(own);
+  const auto rank = static_cast<std::size_t>(processes.GetRank());
+  run.Parts.clear();
+  bool isComposite = false;
+  vtkIdType counted = 0;
+  for (std::size_t process = 0; process < all.size(); ++process)
+  {
+    if (process == rank)
+    {
+      vtkFFOutput::Renumber(
+        hull.Data->GetPointData(), [counted](vtkIdType id) { return counted + id; });
+    }
+    for (std::size_t k = 0; k < all[process].size(); k += 2)
+    {
+      const auto block = static_cast<unsigned int>(all[process][k + 1]);
+      run.Parts.push_back({ all[process][k], {}, block });
+      isComposite = isComposite || block > 0;
+      counted += all[process][k];
+    }
+  }
+  if (!isComposite)
+  {
+    run.Parts.clear();
+  }
+}
+
+/// The hull of the points that all processes read, a piece at a time. Collective.
+vtkFFHullResult hullOf(vtkPFFHullFilter* filter, vtkFFHullStream& stream, vtkFFProcesses& processes,
+  std::optional<std::vector<bool>>& duplicates)
+{
+  // As many steps on each process: sources may work together, and what fails on one ends all.
+  vtkFFHullResult hull;
+  const vtkIdType steps = -processes.Least(std::vector<vtkIdType>{ -stream.GetCount() })[0];
+  for (int number = 0; number < steps; ++number)
+  {
+    if (number < stream.GetCount())
+    {
+      stream.TakePiece(number, hull);
+    }
+    processes.Agree();
+  }
+  countPieces(hull, processes);
+  join(filter, true, processes, hull, duplicates);
+  return hull;
 }
 
 }
@@ -289,17 +382,9 @@ vtkTypeBool vtkPFFHullFilter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   return vtkFFDistributedInput::MakeOutputs(this, this->Controller,
-           this->CompositeMode == HULL_OF_EACH_BLOCK, request, inputVector, outputVector) ||
+           this->CompositeMode == HULL_OF_EACH_BLOCK && this->NumberOfStreamDivisions == 1, request,
+           inputVector, outputVector) ||
     this->Superclass::ProcessRequest(request, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
-int vtkPFFHullFilter::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return !vtkFFProcesses::AreSeveral(this->Controller)
-    ? this->Superclass::RequestUpdateExtent(request, inputVector, outputVector)
-    : this->vtkPolyDataAlgorithm::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -310,14 +395,9 @@ int vtkPFFHullFilter::RequestData(
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }
+  const bool isStreamed = this->NumberOfStreamDivisions > 1;
   const auto check = [&]
   {
-    if (this->NumberOfStreamDivisions > 1)
-    {
-      throw vtkFFBadSetting(
-        "Several processes cannot stream their pieces. Set Number Of Stream Divisions to 1: "
-        "each process has its piece alone in memory then.");
-    }
     if (this->GenerateCertificate)
     {
       throw vtkFFBadSetting(
@@ -329,35 +409,25 @@ int vtkPFFHullFilter::RequestData(
     [&](const Blocks& blocks, vtkFFProcesses& processes, vtkInformationVector* outputs)
   {
     vtkFFRun& run = processes.GetRun();
-    const std::size_t count = blocks.size();
-    std::vector<vtkFFInput> inputs(count);
-    const std::vector<vtkIdType> begins = readPoints(this, blocks, processes, inputs);
-
-    // Points that are not finite are counted to the last block before they are an error.
-    std::vector<vtkFFHullResult> hulls(count);
-    vtkFFFailure failure;
     std::optional<std::vector<bool>> duplicates;
-    for (std::size_t b = 0; b < count && failure.Kind <= vtkFFFailure::NonFinite; ++b)
+    std::vector<vtkFFHullResult> hulls;
+    if (isStreamed)
     {
-      run.SetPart(static_cast<double>(b) / static_cast<double>(count),
-        static_cast<double>(b + 1) / static_cast<double>(count));
-      run.FirstId = begins[b];
-      run.Failure = vtkFFFailure();
-      processes.Do(
-        [&] { computeHull(this, inputs[b], count == 1, processes, hulls[b], duplicates); });
-      failure.Add(run.Failure);
+      vtkFFHullStream stream(this, inputVector[0]->GetInformationObject(0),
+        outputVector->GetInformationObject(0), run,
+        " of process " + std::to_string(processes.GetRank()));
+      hulls.push_back(hullOf(this, stream, processes, duplicates));
     }
-    run.Failure = failure;
-    if (failure)
+    else
     {
-      throw vtkFFSharedFailure();
+      hulls = hullsOf(this, blocks, processes, duplicates);
     }
     const bool hasHull = processes.GetRank() == 0 || duplicates;
     vtkFFHullResult whole;
     vtkPolyData* const output = vtkPolyData::GetData(outputs);
     if (hasHull)
     {
-      if (count == 1)
+      if (hulls.size() == 1)
       {
         std::swap(whole, hulls[0]);
       }
@@ -379,7 +449,8 @@ int vtkPFFHullFilter::RequestData(
     }
   };
   return vtkFFDistributedInput::Run(this, this->Controller, "Convex hull",
-    this->CompositeMode == HULL_OF_ALL_BLOCKS, inputVector, outputVector, check, work);
+    this->CompositeMode == HULL_OF_ALL_BLOCKS || isStreamed, inputVector, outputVector, check,
+    work);
 }
 
 //------------------------------------------------------------------------------

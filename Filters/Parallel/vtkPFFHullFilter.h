@@ -34,8 +34,15 @@
  *   points and of points that are not finite for all pieces. All other
  *   statistics are of its own share of the work. The other processes
  *   report nothing, or, if they have a share, the same of all.
- * - Several processes cannot stream: NumberOfStreamDivisions of more
- *   than 1 is an error then.
+ * - With NumberOfStreamDivisions, each process streams the piece that
+ *   it is asked for: with D divisions, process r of P reads the pieces
+ *   r D to r D + D - 1 of P D, and keeps their extreme points. The hulls
+ *   are joined when all are read. Ids count the points of all pieces in
+ *   this order, also of pieces that are composites.
+ * - The processes wait for each other after each piece: an error or an
+ *   abort on one ends all. The error names process and piece; its ids
+ *   count the points that this process has read, since nobody knows
+ *   then how many the others have.
  *
  * @sa
  * vtkFFHullFilter vtkPFFRegularTriangulationFilter vtkMultiProcessController
@@ -88,7 +95,7 @@ public:
   /**
    * Set/Get where the hull is in the end: on process 0 (RESULT_GATHERED), or each process has a
    * share of it (RESULT_DISTRIBUTED). RESULT_AUTOMATIC, the default, gathers up to
-   * GatheredPointsLimit. One hull of several blocks is always gathered.
+   * GatheredPointsLimit. One hull of several blocks is always gathered, unless it is streamed.
    */
   vtkSetClampMacro(ResultMode, int, RESULT_AUTOMATIC, RESULT_DISTRIBUTED);
   vtkGetMacro(ResultMode, int);
@@ -109,8 +116,6 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

@@ -159,14 +159,43 @@ bool DistributedVersusSerial::Run(const std::string& what, const std::vector<Pie
 bool DistributedVersusSerial::Run(
   const std::string& what, vtkDataObject* piece, vtkDataObject* whole)
 {
-  for (ErrorObserver* observer : { this->Errors.Get(), this->Warnings.Get(),
-         this->SerialErrors.Get(), this->SerialWarnings.Get() })
-  {
-    observer->Clear();
-  }
+  this->Update(piece);
+  return this->Compare(what, whole);
+}
+
+//------------------------------------------------------------------------------
+bool DistributedVersusSerial::Run(
+  const std::string& what, vtkAlgorithm* source, vtkDataObject* whole)
+{
+  this->Update(source);
+  return this->Compare(what, whole);
+}
+
+//------------------------------------------------------------------------------
+void DistributedVersusSerial::Update(vtkDataObject* piece)
+{
+  this->Errors->Clear();
+  this->Warnings->Clear();
   this->Distributed->SetInputDataObject(piece);
   this->Distributed->Modified();
   this->Distributed->Update();
+}
+
+//------------------------------------------------------------------------------
+void DistributedVersusSerial::Update(vtkAlgorithm* source)
+{
+  this->Errors->Clear();
+  this->Warnings->Clear();
+  this->Distributed->SetInputConnection(source->GetOutputPort());
+  this->Distributed->Modified();
+  this->Distributed->UpdatePiece(rank(), processes(), 0);
+}
+
+//------------------------------------------------------------------------------
+bool DistributedVersusSerial::Compare(const std::string& what, vtkDataObject* whole)
+{
+  this->SerialErrors->Clear();
+  this->SerialWarnings->Clear();
   if (rank() == 0)
   {
     this->Serial->SetInputDataObject(whole);
@@ -197,10 +226,21 @@ bool DistributedVersusSerial::Run(
 bool DistributedVersusSerial::Fails(
   const std::string& what, vtkDataObject* piece, const std::string& part)
 {
-  this->Errors->Clear();
-  this->Distributed->SetInputDataObject(piece);
-  this->Distributed->Modified();
-  this->Distributed->Update();
+  this->Update(piece);
+  return this->CheckFailure(what, part);
+}
+
+//------------------------------------------------------------------------------
+bool DistributedVersusSerial::Fails(
+  const std::string& what, vtkAlgorithm* source, const std::string& part)
+{
+  this->Update(source);
+  return this->CheckFailure(what, part);
+}
+
+//------------------------------------------------------------------------------
+bool DistributedVersusSerial::CheckFailure(const std::string& what, const std::string& part)
+{
   bool good = part.empty() == (this->Distributed->GetErrorCode() == vtkErrorCode::NoError);
   for (int port = 0; port < this->Distributed->GetNumberOfOutputPorts(); ++port)
   {

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+class vtkAlgorithm;
 class vtkDataObject;
 class vtkMultiBlockDataSet;
 
@@ -41,8 +42,9 @@ int byTurns(int i);
 /// Ways to deal so many points out; with some, processes get nothing.
 std::vector<std::pair<std::string, Owner>> dealings(std::size_t count);
 
-/// Points by an owner for each, as pieces of the type; some may be empty.
-Pieces split(const std::vector<Point>& points, const Owner& owner, int type = VTK_DOUBLE);
+/// Points by an owner for each, as so many pieces of the type; some may be empty.
+Pieces split(const std::vector<Point>& points, const Owner& owner, int type = VTK_DOUBLE,
+  int count = processes());
 
 /// The pieces as arrays of arrays of every kind: attributes, names of components, strings, wide
 /// integers, NaN. Each value tells of piece and point.
@@ -81,12 +83,15 @@ public:
   /// Runs both, the serial one for @p whole, and compares all that they give and report. Where the
   /// serial filter has an error, it must be all processes' error. Collective.
   bool Run(const std::string& what, vtkDataObject* piece, vtkDataObject* whole);
+  /// Each process asks the source for its share of pieces.
+  bool Run(const std::string& what, vtkAlgorithm* source, vtkDataObject* whole);
   bool Run(const std::string& what, const Pieces& pieces);
   bool Run(const std::string& what, const std::vector<Pieces>& leaves);
 
   /// Runs the distributed filter alone, which must fail: one error on process 0 with this part, or
   /// none for an empty part (an abort). Collective.
   bool Fails(const std::string& what, vtkDataObject* piece, const std::string& part);
+  bool Fails(const std::string& what, vtkAlgorithm* source, const std::string& part);
 
   vtkSmartPointer<vtkFFAlgorithm> Distributed;
   vtkSmartPointer<vtkFFAlgorithm> Serial;
@@ -98,6 +103,11 @@ public:
   ///@}
 
 private:
+  void Update(vtkDataObject* piece);
+  void Update(vtkAlgorithm* source);
+  bool Compare(const std::string& what, vtkDataObject* whole);
+  bool CheckFailure(const std::string& what, const std::string& part);
+
   /// Whether each process has a share of the output. Otherwise process 0 has it whole. Collective.
   bool HasShares() const;
 
@@ -130,6 +140,7 @@ void testFaults();
 void testHull();
 void testHullComposite();
 void testHullShares();
+void testHullStreamed();
 void testRandomPartitions();
 void testShares();
 void testTriangulation();

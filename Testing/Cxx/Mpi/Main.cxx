@@ -18,6 +18,7 @@ int main(int argc, char* argv[])
     { "Hull", testHull },
     { "HullComposite", testHullComposite },
     { "HullShares", testHullShares },
+    { "HullStreamed", testHullStreamed },
     { "RandomPartitions", testRandomPartitions },
     { "Shares", testShares },
     { "Triangulation", testTriangulation },

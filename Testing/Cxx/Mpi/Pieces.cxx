@@ -41,9 +41,9 @@ std::vector<std::pair<std::string, Owner>> dealings(std::size_t count)
 }
 
 //------------------------------------------------------------------------------
-Pieces split(const std::vector<Point>& points, const Owner& owner, int type)
+Pieces split(const std::vector<Point>& points, const Owner& owner, int type, int count)
 {
-  std::vector<std::vector<Point>> parts(static_cast<std::size_t>(processes()));
+  std::vector<std::vector<Point>> parts(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     parts.at(static_cast<std::size_t>(owner(static_cast<int>(i)))).push_back(points[i]);

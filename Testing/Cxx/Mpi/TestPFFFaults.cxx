@@ -63,6 +63,7 @@ int run(const Pieces& pieces, int settings, int where, int at, bool throws)
   {
     vtkNew<vtkPFFHullFilter> hull;
     hull->SetResultMode(vtkPFFHullFilter::RESULT_DISTRIBUTED);
+    hull->SetNumberOfStreamDivisions(1 + settings % 2);
     filter = hull;
   }
   else
