@@ -20,6 +20,9 @@ namespace flipflop
 namespace
 {
 
+/// The number of the round whose messages are there.
+const char* const RoundFile = "round";
+
 /// What a block adds to the report.
 struct Taken
 {
@@ -84,6 +87,11 @@ StreamedBlocks::StreamedBlocks(WorkFolder& inFolder, PointStore& allPoints,
   this->options.progressContext = &ofRun;
   this->options.step = nullptr;
   std::iota(this->all.begin(), this->all.end(), std::int64_t(0));
+}
+
+bool StreamedBlocks::haveBegun(const WorkFolder& folder)
+{
+  return folder.has(RoundFile);
 }
 
 void StreamedBlocks::stage(double from, double to, const char* name, const Numbers& blocks,
@@ -162,7 +170,7 @@ void StreamedBlocks::summarize()
 
 void StreamedBlocks::begin()
 {
-  if (!this->folder.has("round"))
+  if (!haveBegun(this->folder))
   {
     this->stage(0.3, 0.6, "triangulating blocks", this->all,
       [this](std::int64_t block)
@@ -176,10 +184,10 @@ void StreamedBlocks::begin()
           this->save(run, block, 0);
         }
       });
-    this->folder.write("round", { { 0, bytesOf(&this->round, 1) } });
+    this->folder.write(RoundFile, { { 0, bytesOf(&this->round, 1) } });
   }
   this->points.removeChunks();
-  this->round = valueOf<std::int64_t>(this->folder.read("round"));
+  this->round = valueOf<std::int64_t>(this->folder.read(RoundFile));
   for (std::int64_t number = 0; number <= this->round; ++number)
   {
     this->beginRound(number);
@@ -298,7 +306,7 @@ bool StreamedBlocks::exchange()
       this->save(run, block, this->round + 1);
     });
   ++this->round;
-  this->folder.write("round", { { 0, bytesOf(&this->round, 1) } });
+  this->folder.write(RoundFile, { { 0, bytesOf(&this->round, 1) } });
   this->beginRound(this->round);
   return true;
 }

@@ -32,6 +32,9 @@ public:
   StreamedBlocks(WorkFolder& inFolder, PointStore& allPoints, const StreamSettings& chosen,
     Monitor& ofRun, int threadsOfRun);
 
+  /// Whether no block needs the points any longer.
+  static bool haveBegun(const WorkFolder& folder);
+
   /// All stages. What blocks report is added up.
   void run(const WriteBlock& write, StreamReport& report);
 

@@ -25,6 +25,9 @@ constexpr std::int64_t PointBytes = 600;
 
 constexpr std::int64_t LeastMemory = std::int64_t(1) << 20;
 
+/// The first file of a run, and the first to go: no other counts without it.
+const char* const RunFile = "run";
+
 /// What a folder is of: the same when a run goes on.
 struct RunKey
 {
@@ -61,11 +64,12 @@ void checkKey(const StreamSettings& settings, std::int64_t pieces, WorkFolder& f
   key.pieces = pieces;
   key.recordSize = static_cast<std::int64_t>(settings.recordSize);
   const std::vector<char> bytes = bytesOf(&key, 1);
-  if (!folder.has("run"))
+  if (!folder.has(RunFile))
   {
-    folder.write("run", { { 0, bytes } });
+    folder.removeFiles(); // of a run that has ended
+    folder.write(RunFile, { { 0, bytes } });
   }
-  else if (folder.read("run") != bytes)
+  else if (folder.read(RunFile) != bytes)
   {
     throw badArgument("the folder has the files of another streamed run: its shape, facets, points "
                       "that are not finite, pieces or records are others");
@@ -89,7 +93,10 @@ StreamReport run(const StreamSettings& settings, std::int64_t pieces, const Read
     : std::max<std::int64_t>(1, settings.memory / pointBytes / allowed);
   PointStore points(folder, settings, monitor);
   points.read(pieces, read);
-  points.deal(blockPoints);
+  if (!StreamedBlocks::haveBegun(folder))
+  {
+    points.deal(blockPoints);
+  }
 
   const StoredCounts& counts = points.counts();
   const std::int64_t kept = counts.points - counts.nonFinite;
@@ -101,6 +108,7 @@ StreamReport run(const StreamSettings& settings, std::int64_t pieces, const Read
   report.nonFinite = counts.nonFinite;
   report.blocks = counts.blocks;
   StreamedBlocks(folder, points, settings, monitor, threads).run(write, report);
+  folder.remove(RunFile);
   folder.removeAll();
   report.bytesWritten = folder.bytesWritten();
   report.bytesRead = folder.bytesRead();

@@ -237,9 +237,14 @@ void WorkFolder::removeNumbered(const std::string& prefix)
   }
 }
 
-void WorkFolder::removeAll()
+void WorkFolder::removeFiles()
 {
   this->removeEach(Suffix);
+}
+
+void WorkFolder::removeAll()
+{
+  this->removeFiles();
   if (fs::is_empty(this->path))
   {
     fs::remove(this->path);

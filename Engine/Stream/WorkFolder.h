@@ -71,6 +71,9 @@ public:
   void remove(const std::string& name);
   void removeNumbered(const std::string& prefix);
 
+  /// All files.
+  void removeFiles();
+
   /// All files; and the folder, if nothing else is in it.
   void removeAll();
 

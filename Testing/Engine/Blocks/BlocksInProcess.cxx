@@ -145,6 +145,16 @@ std::vector<T> listOf(const Buffer<T>& values)
 
 }
 
+std::vector<InputOf> blockInputs(const Kind& kind)
+{
+  std::vector<Input> inputs = kind.smallInputs();
+  for (const FamilyOf& of : familiesOf(kind, { 400 }))
+  {
+    inputs.push_back(kind.family(of.name, of.count, 1));
+  }
+  return inputsOf(kind, inputs);
+}
+
 Dealing dealInHalves(const Cloud& cloud, int blocks, int axes)
 {
   Dealing dealing(cloud.size());

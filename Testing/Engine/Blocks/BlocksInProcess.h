@@ -5,7 +5,9 @@
 #ifndef flipflop_test_BlocksInProcess_h
 #define flipflop_test_BlocksInProcess_h
 
+#include "Blocks/BlockSummary.h"
 #include "Testing/Engine/Conformance/Compare.h"
+#include "Testing/Engine/Conformance/Kind.h"
 #include "Testing/Engine/Inputs/Inputs.h"
 #include <flipflop/BlockRun.h>
 
@@ -19,6 +21,26 @@ namespace flipflop
 {
 namespace test
 {
+
+/// While it lives, samples are small: blocks know little of each other, and have to ask.
+class SmallSamples
+{
+public:
+  SmallSamples()
+    : usual(sampleSizes())
+  {
+    sampleSizes() = { 0, 0, 0, 0 };
+  }
+  SmallSamples(const SmallSamples&) = delete;
+  SmallSamples& operator=(const SmallSamples&) = delete;
+  ~SmallSamples() { sampleSizes() = this->usual; }
+
+private:
+  const SampleSizes usual;
+};
+
+/// The special inputs of a kind, and 400 points of each family.
+std::vector<InputOf> blockInputs(const Kind& kind);
 
 /// The block of each point. Points at the same place have the same.
 using Dealing = std::vector<int>;

@@ -4,7 +4,6 @@
 /// What blocks have together is what one run on all points has, however points are dealt to them,
 /// and whether or not they wait as bytes: all families of the engine's tests, and small degenerate
 /// inputs in bulk.
-#include "Blocks/BlockSummary.h"
 #include "Blocks/ConflictBound.h"
 #include "Testing/Engine/Blocks/BlocksInProcess.h"
 #include "Testing/Engine/Conformance/RandomCases.h"
@@ -79,23 +78,6 @@ void expectSameAsBytes(
     });
 }
 
-/// While it lives, samples are small: blocks know little of each other, and have to ask.
-class SmallSamples
-{
-public:
-  SmallSamples()
-    : usual(sampleSizes())
-  {
-    sampleSizes() = { 0, 0, 0, 0 };
-  }
-  SmallSamples(const SmallSamples&) = delete;
-  SmallSamples& operator=(const SmallSamples&) = delete;
-  ~SmallSamples() { sampleSizes() = this->usual; }
-
-private:
-  const SampleSizes usual;
-};
-
 class Blocks : public ::testing::TestWithParam<InputOf>
 {
 };
@@ -145,20 +127,9 @@ TEST_P(Blocks, WaitAsBytes)
   }
 }
 
-/// The special ones, and 400 points of each family.
-std::vector<InputOf> inputsOf(const Kind& kind)
-{
-  std::vector<Input> inputs = kind.smallInputs();
-  for (const FamilyOf& of : familiesOf(kind, { 400 }))
-  {
-    inputs.push_back(kind.family(of.name, of.count, 1));
-  }
-  return inputsOf(kind, inputs);
-}
-
-INSTANTIATE_TEST_SUITE_P(Hulls, Blocks, ::testing::ValuesIn(inputsOf(convexHulls)));
+INSTANTIATE_TEST_SUITE_P(Hulls, Blocks, ::testing::ValuesIn(blockInputs(convexHulls)));
 INSTANTIATE_TEST_SUITE_P(
-  Triangulations, Blocks, ::testing::ValuesIn(inputsOf(regularTriangulations)));
+  Triangulations, Blocks, ::testing::ValuesIn(blockInputs(regularTriangulations)));
 
 Cloud integersInSpace(int count, int side, Random& random)
 {
