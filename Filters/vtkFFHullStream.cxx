@@ -5,26 +5,18 @@
 #include "vtkFFHullFilter.h"
 #include "vtkFFHullResult.h"
 #include "vtkFFInput.h"
+#include "vtkFFInputPieces.h"
 #include "vtkFFRun.h"
 
-#include "Support/FloatingPointEnvironment.h"
-#include <flipflop/Error.h>
-
 #include "vtkCompositeDataSet.h"
-#include "vtkExecutive.h"
 #include "vtkInformation.h"
-#include "vtkInformationExecutivePortKey.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTrivialProducer.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <set>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -33,48 +25,6 @@ namespace
 {
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
-
-/// Who makes the data of this information, on which port; null: nobody.
-vtkExecutive* producerOf(vtkInformation* info, int& port)
-{
-  vtkExecutive* producer = nullptr;
-  if (info)
-  {
-    vtkExecutive::PRODUCER()->Get(info, producer, port);
-  }
-  return producer;
-}
-
-/// Whether a source upstream can deliver pieces. The executive asks those that cannot for the first
-/// piece alone, and leaves that in place of the others.
-bool canDeliver(vtkInformation* info, std::set<vtkExecutive*>& visited)
-{
-  int port = 0;
-  vtkExecutive* const producer = producerOf(info, port);
-  if (!producer || !visited.insert(producer).second)
-  {
-    return false;
-  }
-  vtkAlgorithm* const algorithm = producer->GetAlgorithm();
-  if (algorithm->GetTotalNumberOfInputConnections() == 0)
-  {
-    // What was set as data says that it can, and gives all for each piece.
-    return !vtkTrivialProducer::SafeDownCast(algorithm) &&
-      (info->Get(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST()) ||
-        info->Get(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT()));
-  }
-  for (int i = 0; i < algorithm->GetNumberOfInputPorts(); ++i)
-  {
-    for (int k = 0; k < algorithm->GetNumberOfInputConnections(i); ++k)
-    {
-      if (canDeliver(producer->GetInputInformation(i, k), visited))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
 
 /// How many divisions of the piece that @p output is asked for there can be: numbers are ints.
 int divisionsOf(vtkInformation* output, int divisions)
@@ -113,8 +63,7 @@ void vtkFFHullStream::RequestPiece(
   const int count = divisionsOf(output, divisions);
   const int piece = output->Get(Pipeline::UPDATE_PIECE_NUMBER());
   const int total = std::max(1, output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
-  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece * count + number);
-  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), total * count);
+  vtkFFInputPieces::Request(input, piece * count + number, total * count);
 }
 
 //------------------------------------------------------------------------------
@@ -126,9 +75,8 @@ vtkFFHullStream::vtkFFHullStream(vtkFFHullFilter* filter, vtkInformation* input,
   , Run(run)
   , OfProcess(ofProcess)
 {
-  std::set<vtkExecutive*> visited;
   this->Count =
-    canDeliver(input, visited) ? divisionsOf(output, filter->GetNumberOfStreamDivisions()) : 1;
+    vtkFFInputPieces::Count(input, divisionsOf(output, filter->GetNumberOfStreamDivisions()));
   this->IsOneOfMany = this->Count > 1 || !ofProcess.empty();
   run.NonFiniteReach = this->IsOneOfMany ? "so far" : "in all";
 }
@@ -146,7 +94,8 @@ void vtkFFHullStream::TakePiece(int number, vtkFFHullResult& whole)
                               "Turn off Generate Certificate, or set Number Of Stream Divisions to "
                               "1.");
       }
-      vtkDataObject* const piece = this->ReadPiece(number);
+      RequestPiece(this->Input, this->Output, this->Filter->GetNumberOfStreamDivisions(), number);
+      vtkDataObject* const piece = vtkFFInputPieces::Take(this->Input, number == 0);
       if (this->Filter->GetCompositeMode() == vtkFFHullFilter::HULL_OF_EACH_BLOCK &&
         vtkCompositeDataSet::SafeDownCast(piece))
       {
@@ -158,35 +107,8 @@ void vtkFFHullStream::TakePiece(int number, vtkFFHullResult& whole)
     });
   if (!isGood && this->IsOneOfMany)
   {
-    this->Run.NameFailure("Piece " + std::to_string(number + 1) + " of " +
-      std::to_string(this->Count) + this->OfProcess + ": ");
+    this->Run.NameFailure(vtkFFInputPieces::Describe(number, this->Count, this->OfProcess));
   }
-}
-
-//------------------------------------------------------------------------------
-vtkDataObject* vtkFFHullStream::ReadPiece(int number)
-{
-  int port = 0;
-  vtkExecutive* const producer = producerOf(this->Input, port);
-  RequestPiece(this->Input, this->Output, this->Filter->GetNumberOfStreamDivisions(), number);
-  bool isThere = number == 0;
-  if (!isThere && producer)
-  {
-    const flipflop::CallersFloatingPointEnvironment upstream;
-    isThere = producer->Update(port);
-  }
-#if VTK_FF_HAS_CHECK_ABORT
-  if (this->Input->Get(vtkAlgorithm::ABORTED()))
-  {
-    throw flipflop::Error(flipflop::ErrorCode::Aborted);
-  }
-#endif
-  vtkDataObject* const piece = isThere ? vtkDataObject::GetData(this->Input) : nullptr;
-  if (!piece)
-  {
-    throw std::runtime_error("The input did not deliver it. Its own error says why.");
-  }
-  return piece;
 }
 
 //------------------------------------------------------------------------------

@@ -4,9 +4,7 @@
  * @class   vtkFFHullStream
  * @brief   an input in pieces, of which one is in memory at a time
  *
- * The executive brings the first piece to RequestData(). The others are requested of the algorithm
- * upstream from there. VTK's own streamers have their executive run them once for each piece
- * (CONTINUE_EXECUTING); that loops for ever where the input fails at a later piece.
+ * The executive brings the first piece to RequestData(), vtkFFInputPieces the others.
  */
 
 #ifndef vtkFFHullStream_h
@@ -54,7 +52,6 @@ public:
   void TakePiece(int number, vtkFFHullResult& whole);
 
 private:
-  vtkDataObject* ReadPiece(int number);
   void AddPiece(vtkDataObject* piece, vtkFFHullResult& whole);
 
   vtkFFHullFilter* const Filter;

@@ -34,6 +34,7 @@ COMPONENTS = (
     "CommonExecutionModel",
     "CommonTransforms",
     "FiltersSources",
+    "IOXML",
     "ParallelCore",
     "WrappingPythonCore",
 )

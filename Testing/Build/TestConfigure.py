@@ -29,7 +29,8 @@ BLOCKS = re.findall(r"```cmake\n(.*?)```", (TOP / "Documentation" / "Cxx.md").re
 _, FETCH_CONTENT, MODULES = BLOCKS  # the first is built by Testing/Cxx/RunPackage.cmake
 VTK_MODULES = """
 include(GNUInstallDirs)
-find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel CommonTransforms ParallelCore
+find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel CommonTransforms
+  IOCore IOXML IOXMLParser ParallelCore
   OPTIONAL_COMPONENTS ParallelDIY ParallelMPI diy2)
 message("HOST_VTK ${VTK_VERSION}")
 """ + MODULES

@@ -14,6 +14,7 @@ from .vtkFiltersFlipFlop import vtkFFPowerDiagramFilter as vtkFFPowerDiagramFilt
 from .vtkFiltersFlipFlop import vtkFFQueryAlgorithm as vtkFFQueryAlgorithm
 from .vtkFiltersFlipFlop import vtkFFRegularTriangulationFilter as vtkFFRegularTriangulationFilter
 from .vtkFiltersFlipFlop import vtkFFSelectEnclosedPoints as vtkFFSelectEnclosedPoints
+from .vtkFiltersFlipFlop import vtkFFStreamedWriter as vtkFFStreamedWriter
 from .vtkFiltersFlipFlop import vtkFFTerrainMeshFilter as vtkFFTerrainMeshFilter
 from .vtkFiltersParallelFlipFlop import vtkPFFDelaunayFilter as vtkPFFDelaunayFilter
 from .vtkFiltersParallelFlipFlop import vtkPFFHullFilter as vtkPFFHullFilter

@@ -19,6 +19,7 @@ from .vtkFiltersFlipFlop import (  # noqa: E402
     vtkFFQueryAlgorithm,
     vtkFFRegularTriangulationFilter,
     vtkFFSelectEnclosedPoints,
+    vtkFFStreamedWriter,
     vtkFFTerrainMeshFilter,
 )
 from .vtkFiltersParallelFlipFlop import (  # noqa: E402
@@ -41,6 +42,7 @@ __all__ = [
     "vtkFFQueryAlgorithm",
     "vtkFFRegularTriangulationFilter",
     "vtkFFSelectEnclosedPoints",
+    "vtkFFStreamedWriter",
     "vtkFFTerrainMeshFilter",
     "vtkPFFDelaunayFilter",
     "vtkPFFHullFilter",

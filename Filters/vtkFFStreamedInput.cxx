@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFFStreamedInput.h"
+
+#include "vtkFFInput.h"
+#include "vtkFFInputPieces.h"
+#include "vtkFFOutput.h"
+#include "vtkFFPlanarAlgorithm.h"
+#include "vtkFFPlanarInput.h"
+#include "vtkFFPointSource.h"
+#include "vtkFFRun.h"
+#include "vtkFFStreamedWriter.h"
+#include "vtkFFWeightSource.h"
+
+#include "Support/FloatingPointEnvironment.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+VTK_ABI_NAMESPACE_BEGIN
+//------------------------------------------------------------------------------
+vtkFFStreamedInput::vtkFFStreamedInput(
+  vtkFFStreamedWriter* writer, vtkFFRun& run, vtkInformation* info)
+  : Writer(writer)
+  , Run(run)
+  , Info(info)
+  , Count(vtkFFInputPieces::Count(info, writer->GetNumberOfPieces()))
+{
+  run.NonFiniteReach = this->Count > 1 ? "in it" : run.NonFiniteReach;
+  if (writer->GetShape() == vtkFFStreamedWriter::TRIANGULATION)
+  {
+    run.NonFiniteWhat = "A coordinate or a weight";
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPointSet> vtkFFStreamedInput::TakePoints(int piece)
+{
+  this->Current = piece;
+  vtkFFInputPieces::Request(this->Info, piece, this->Count);
+  const bool isThere = piece == this->Brought;
+  this->Brought = -1;
+  vtkDataObject* const data = vtkFFInputPieces::Take(this->Info, isThere);
+  this->Brought = piece;
+  this->Run.Parts.clear();
+  vtkFFInput input;
+  input.TakePieces(vtkFFInput::PiecesOf(data), this->Writer->GetSkipGhostPoints(), this->Run);
+  return vtkFFOutput::Append({ input.GetPieces().begin(), input.GetPieces().end() });
+}
+
+//------------------------------------------------------------------------------
+void vtkFFStreamedInput::Begin()
+{
+  vtkSmartPointer<vtkPointSet> points = this->TakePoints(0);
+  for (int piece = 1; piece < this->Count && points->GetNumberOfPoints() == 0; ++piece)
+  {
+    points = this->TakePoints(piece);
+  }
+  this->Records.emplace(points, this->Writer->GetPassPointData());
+  if (this->Writer->GetShape() == vtkFFStreamedWriter::HULL)
+  {
+    this->Shape = flipflop::BlockShape::Hull;
+  }
+  else if (vtkFFWeightSource::FindArray(this->Writer, points, this->Run.OfWhat(), "input"))
+  {
+    this->Shape = flipflop::BlockShape::RegularTriangulation;
+  }
+  this->Current = -1;
+}
+
+//------------------------------------------------------------------------------
+flipflop::StreamPiece vtkFFStreamedInput::Read(int piece)
+{
+  const flipflop::DefaultFloatingPointEnvironment environment;
+  const vtkSmartPointer<vtkPointSet> points = this->TakePoints(piece);
+  const vtkFFPointSource source(points->GetPoints() ? points->GetPoints()->GetData() : nullptr);
+  const flipflop::PointView& view = source.GetView();
+  const bool isWeighted = this->Shape == flipflop::BlockShape::RegularTriangulation;
+  const vtkFFWeightSource weights(isWeighted
+      ? vtkFFWeightSource::FindArray(this->Writer, points, this->Run.OfWhat(), "input")
+      : nullptr,
+    { this->Writer->GetWeightMode() == vtkFFPlanarAlgorithm::RADII,
+      this->Writer->GetWeightFactor() });
+  flipflop::StreamPiece result;
+  result.positions.allocate(3 * static_cast<std::size_t>(view.count));
+  double* x = result.positions.data();
+  for (std::int64_t i = 0; i < view.count; ++i, x += 3)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      x[k] = vtkFFPlanarInput::NumberAt(view, i * view.stride + k);
+    }
+    if (this->Shape != flipflop::BlockShape::Hull)
+    {
+      x[0] = std::isfinite(x[2]) ? x[0] : std::numeric_limits<double>::quiet_NaN();
+      x[2] = isWeighted
+        ? vtkFFPlanarInput::NumberAt(weights.GetView(), i * weights.GetView().stride)
+        : 0.0;
+    }
+  }
+  result.records = this->Records->Pack(points);
+  this->Current = -1;
+  return result;
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFFStreamedWriter.h"
+
+#include "vtkFFErrorCode.h"
+#include "vtkFFInputPieces.h"
+#include "vtkFFOutput.h"
+#include "vtkFFRun.h"
+#include "vtkFFStreamedFiles.h"
+#include "vtkFFStreamedInput.h"
+
+#include <flipflop/StreamedRun.h>
+
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <cerrno>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkFFStreamedWriter);
+
+namespace
+{
+
+/// A block as poly data.
+vtkSmartPointer<vtkPolyData> makeBlock(
+  flipflop::StreamedBlock& block, const vtkFFPointRecords& records)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  records.Unpack(block.records, data);
+  flipflop::CellComplex& cells = block.result.cells;
+  vtkFFOutput::AdoptCells(cells, data);
+  vtkFFOutput::AddIds(vtkFFOutput::AdoptIds(cells.pointIds), data->GetPointData());
+  return data;
+}
+
+/// A failure at a file.
+void sayOfFile(const std::filesystem::filesystem_error& error, vtkFFFailure& failure)
+{
+  const int number = error.code().value();
+  const bool isFull = number == ENOSPC || number == EFBIG;
+  failure.Say("The file " + error.path1().u8string() +
+      " cannot be written or read: " + error.code().message() + ". Write again to go on.",
+    isFull ? vtkErrorCode::OutOfDiskSpaceError : vtkErrorCode::CannotOpenFileError);
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkFFStreamedWriter::vtkFFStreamedWriter() = default;
+
+//------------------------------------------------------------------------------
+vtkFFStreamedWriter::~vtkFFStreamedWriter()
+{
+  this->SetFileName(nullptr);
+  this->SetWorkFolder(nullptr);
+}
+
+//------------------------------------------------------------------------------
+int vtkFFStreamedWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  // Composites come first: so the executive leaves them whole.
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkFFStreamedWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    vtkInformation* const input = inputVector[0]->GetInformationObject(0);
+    vtkFFInputPieces::Request(input, 0, vtkFFInputPieces::Count(input, this->NumberOfPieces));
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkFFStreamedWriter::Write()
+{
+  this->IsTried = false;
+  this->IsWritten = false;
+  this->Superclass::Write();
+  if (!this->IsTried && this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->ForgetReport();
+    vtkFFRun run(this, "", this->NumberOfThreads, nullptr,
+      [this](unsigned long code) { this->SetErrorCode(code); });
+    vtkInformation* const input = this->GetInputInformation();
+    run.Do([&] { vtkFFInputPieces::Check(input, false); });
+    const int count = vtkFFInputPieces::Count(input, this->NumberOfPieces);
+    run.NameFailure(count > 1 ? vtkFFInputPieces::Describe(0, count) : std::string());
+    run.Finish();
+  }
+  return this->IsWritten;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFStreamedWriter::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  this->IsTried = true;
+  this->IsWritten = false;
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->ForgetReport();
+  this->WriteData();
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFStreamedWriter::ForgetReport()
+{
+  this->NumberOfInputPoints = 0;
+  this->NumberOfNonFinitePoints = 0;
+  this->NumberOfHiddenPoints = 0;
+  this->NumberOfCells = 0;
+  this->NumberOfBlocks = 0;
+  this->Dimension = -1;
+  this->Volume = 0.0;
+  this->Area = 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFStreamedWriter::WriteData()
+{
+  vtkFFRun run(this, this->Shape == HULL ? "Streamed hull" : "Streamed triangulation",
+    this->NumberOfThreads, nullptr, [this](unsigned long code) { this->SetErrorCode(code); });
+  run.Options.facets = static_cast<flipflop::FacetMode>(this->FacetMode);
+  run.Options.nonFinite = static_cast<flipflop::NonFinitePolicy>(this->NonFinitePoints);
+  vtkFFStreamedInput input(this, run, this->GetInputInformation());
+  flipflop::StreamReport report;
+  run.Do(
+    [&]
+    {
+      try
+      {
+        report = this->WriteFiles(input, run);
+      }
+      catch (const flipflop::PieceError& error)
+      {
+        input.Current = static_cast<int>(error.piece());
+        throw;
+      }
+      catch (const std::filesystem::filesystem_error& error)
+      {
+        sayOfFile(error, run.Failure);
+      }
+    });
+  if (run.Failure && input.Current >= 0 && input.GetNumberOfPieces() > 1)
+  {
+    run.NameFailure(vtkFFInputPieces::Describe(input.Current, input.GetNumberOfPieces()));
+  }
+  if (!run.Failure)
+  {
+    this->NumberOfInputPoints = static_cast<vtkIdType>(report.points);
+    this->NumberOfNonFinitePoints = static_cast<vtkIdType>(report.nonFinite);
+    this->NumberOfHiddenPoints = static_cast<vtkIdType>(report.hidden);
+    this->NumberOfCells = static_cast<vtkIdType>(report.cells);
+    this->NumberOfBlocks = static_cast<vtkIdType>(report.blocks);
+    this->Dimension = report.dimension;
+    this->Volume = report.volume;
+    this->Area = report.area;
+    this->IsWritten = true;
+  }
+  run.Finish();
+}
+
+//------------------------------------------------------------------------------
+flipflop::StreamReport vtkFFStreamedWriter::WriteFiles(vtkFFStreamedInput& input, vtkFFRun& run)
+{
+  if (!this->FileName || !*this->FileName)
+  {
+    run.Failure.Say("There is no File Name.", vtkErrorCode::NoFileNameError);
+    return {};
+  }
+  const vtkFFStreamedFiles files(this->FileName);
+  input.Begin();
+  const vtkFFPointRecords& records = input.GetRecords();
+  this->WarnOfLeftOut(records.GetLeftOut());
+  flipflop::StreamSettings settings;
+  settings.shape = input.GetShape();
+  settings.options = run.Options;
+  settings.memory = static_cast<std::int64_t>(this->MemoryLimit) * 1024;
+  settings.blockPoints = static_cast<std::int64_t>(this->PointsPerBlock);
+  settings.recordSize = records.GetSize();
+  vtkFFWorkFolder folder(this->WorkFolder, files);
+  settings.folder = folder.GetName();
+  std::string key = files.GetFile().u8string() + " " + records.Describe();
+  for (const int choice : { static_cast<int>(settings.shape), this->FacetMode,
+         this->NonFinitePoints, input.GetNumberOfPieces() })
+  {
+    key += " " + std::to_string(choice);
+  }
+  folder.Begin(key,
+    [&](std::int64_t piece)
+    {
+      vtkFFRun::Look(run.Options);
+      return input.Read(static_cast<int>(piece));
+    });
+  const auto read = [&](std::int64_t number)
+  {
+    flipflop::StreamPiece piece = input.Read(static_cast<int>(number));
+    folder.Add(number, piece);
+    return piece;
+  };
+  const auto write = [&](flipflop::StreamedBlock&& block)
+  { files.WriteBlock(block.number, makeBlock(block, records)); };
+  const flipflop::StreamReport report =
+    flipflop::streamedRun(settings, input.GetNumberOfPieces(), read, write);
+  files.WriteList(report.blocks);
+  folder.Finish();
+  return report;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFStreamedWriter::WarnOfLeftOut(const std::vector<std::string>& names)
+{
+  std::string list;
+  for (const std::string& name : names)
+  {
+    list += (list.empty() ? "\"" : ", \"") + name + "\"";
+  }
+  if (!list.empty())
+  {
+    vtkWarningMacro(<< "Point data " << list << " without numbers or a name is left out.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFFStreamedWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto onOff = [](bool flag) { return flag ? "On" : "Off"; };
+  const auto nameOf = [](const char* name) { return name ? name : "(none)"; };
+  os << indent << "FileName: " << nameOf(this->FileName) << "\n";
+  os << indent << "Shape: " << this->Shape << "\n";
+  os << indent << "WeightMode: " << this->WeightMode << "\n";
+  os << indent << "WeightFactor: " << this->WeightFactor << "\n";
+  os << indent << "FacetMode: " << this->FacetMode << "\n";
+  os << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "PointsPerBlock: " << this->PointsPerBlock << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "NonFinitePoints: " << this->NonFinitePoints << "\n";
+  os << indent << "SkipGhostPoints: " << onOff(this->SkipGhostPoints) << "\n";
+  os << indent << "PassPointData: " << onOff(this->PassPointData) << "\n";
+  os << indent << "WorkFolder: " << nameOf(this->WorkFolder) << "\n";
+  os << indent << "NumberOfInputPoints: " << this->NumberOfInputPoints << "\n";
+  os << indent << "NumberOfNonFinitePoints: " << this->NumberOfNonFinitePoints << "\n";
+  os << indent << "NumberOfHiddenPoints: " << this->NumberOfHiddenPoints << "\n";
+  os << indent << "NumberOfCells: " << this->NumberOfCells << "\n";
+  os << indent << "NumberOfBlocks: " << this->NumberOfBlocks << "\n";
+  os << indent << "Dimension: " << this->Dimension << "\n";
+  os << indent << "Volume: " << this->Volume << "\n";
+  os << indent << "Area: " << this->Area << "\n";
+}
+VTK_ABI_NAMESPACE_END
