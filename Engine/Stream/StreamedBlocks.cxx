@@ -14,11 +14,24 @@
 #include <numeric>
 #include <utility>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace flipflop
 {
 
 namespace
 {
+
+/// glibc keeps what a block has freed, in pieces that do not fit the next one: ten blocks of 1e6
+/// points took 947 MB, and take 412 so.
+void giveFreeMemoryBack()
+{
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
+}
 
 /// The number of the round whose messages are there.
 const char* const RoundFile = "round";
@@ -110,6 +123,7 @@ void StreamedBlocks::stage(double from, double to, const char* name, const Numbe
         {
           this->monitor.poll();
           work(blocks[i]);
+          giveFreeMemoryBack();
           this->monitor.advance(1);
         }
       }
