@@ -22,7 +22,8 @@ from vtkflipflop.arrays import CentroidalCells, PrescribedAreas, centroidal_cell
 from vtkflipflop.arrays import ConvexHull, Diameter, HullBatch, InputError, OrientedBox, Polygons, PowerDiagram, RegularTriangulation
 from vtkflipflop.arrays import Validation, convex_hull, convex_hulls, convexify, power_diagram, regular_triangulation
 from vtkflipflop.arrays import AlphaComplex, ConstrainedTriangulation, TerrainMesh, alpha_complex, terrain_mesh, validate
-from vtkflipflop.arrays import constrained_triangulation
+from pathlib import Path
+from vtkflipflop.arrays import Streamed, constrained_triangulation, stream
 
 hull = convex_hull([[0.0, 0, 0]], threads=2, progress=print)
 assert_type(hull, ConvexHull)
@@ -78,18 +79,21 @@ assert_type(prescribed_areas([[0.0, 1]]).weights, NDArray[np.float64])
 assert_type(terrain_mesh([[0.0, 1, 2]], tolerance=1, constraints=[[0, 0]]), TerrainMesh)
 assert_type(terrain_mesh([[0.0, 1]], [2.0], max_vertices=9).errors, NDArray[np.float64])
 assert_type(constrained_triangulation([[0.0, 1, 2]], np.zeros((2, 3))).point_origin, NDArray[np.uint8])
+assert_type(stream(["a.npz", np.zeros((2, 2)), {"points": [[0, 0]]}], "out", kind="hull", memory=2**30), Streamed)
+assert_type(stream([], Path("out")).files, tuple[Path, ...])
 assert_type(InputError("").index, int)
 assert_type(vtkflipflop.arrays.convex_hull([[0.0, 0, 0]]), ConvexHull)
 assert_type(power_diagram([[0.0, 1]], domain=((0, 0), (1, 1))), PowerDiagram)
 """
 
 WRONG = """
-from vtkflipflop.arrays import convex_hull
+from vtkflipflop.arrays import convex_hull, stream
 convex_hull([[0, 0, 0]], colour="red")
 convex_hull([[0, 0, 0]]).volume = 3.0
 convex_hull([[0, 0, 0]]).corners
 convex_hull([[0, 0, 0]], facets="squares")
 convex_hull([[0, 0, 0]], non_finite="drop", engine="gpu")
+stream(iter([]), "out", kind="terrain")
 """
 
 
@@ -107,7 +111,7 @@ def test_the_array_layer(tmp_path):
 def test_what_is_wrong_is_found(tmp_path):
     (tmp_path / "use.py").write_text(WRONG)
     lines = [line for line in said(tmp_path, "use.py").splitlines() if "error:" in line]
-    assert [line.split(":")[1] for line in lines] == ["3", "4", "5", "6", "7", "7"], lines
+    assert [line.split(":")[1] for line in lines] == ["3", "4", "5", "6", "7", "7", "8", "8"], lines
 
 
 def test_the_package_itself(tmp_path):

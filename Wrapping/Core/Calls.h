@@ -124,6 +124,9 @@ void bindComplexes(nanobind::module_& module);
 /// Terrain meshes.
 void bindTerrain(nanobind::module_& module);
 
+/// Streamed runs.
+void bindStream(nanobind::module_& module);
+
 /// Centroidal cells and prescribed areas.
 void bindTransport(nanobind::module_& module);
 

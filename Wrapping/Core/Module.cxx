@@ -427,6 +427,7 @@ NB_MODULE(_core, module)
   bindQueries(module);
   bindComplexes(module);
   bindTerrain(module);
+  bindStream(module);
   bindTransport(module);
 
   module.def("convex_hull", &hullOf);

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any
 
 
@@ -106,3 +107,8 @@ def of_engine(code: int, text: str, index: int, count: int) -> FlipFlopError:
 def at_points(text: str, code: str, first: int, count: int) -> InputError:
     """The exception for so many points at fault."""
     return InputError(f"{text}: first at point {first}, {count} such point(s) in all", code, first, count)
+
+
+def of_file(number: int, path: str) -> OSError:
+    """The exception for a file that the engine could not read or write."""
+    return OSError(number, os.strerror(number), path)

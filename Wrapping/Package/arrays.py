@@ -39,6 +39,7 @@ from ._hull import ConvexHull, Diameter, OrientedBox, Side, convex_hull, convexi
 from ._las import LasPoints, read_las
 from ._lines import JoinedTriangulation, constrained_triangulation
 from ._results import Polygons, Validation
+from ._stream import Streamed, stream
 from ._terrain import TerrainMesh, terrain_mesh
 from ._transport import CentroidalCells, PrescribedAreas, centroidal_cells, prescribed_areas
 from ._triangulation import PowerDiagram, RegularTriangulation, alpha_complex, power_diagram, regular_triangulation
@@ -64,6 +65,7 @@ __all__ = [
     "RegularTriangulation",
     "Side",
     "SplitConstraints",
+    "Streamed",
     "TerrainMesh",
     "TriangulationBatch",
     "Validation",
@@ -79,6 +81,7 @@ __all__ = [
     "regular_triangulation",
     "regular_triangulations",
     "split_crossings",
+    "stream",
     "terrain_mesh",
     "validate",
 ]

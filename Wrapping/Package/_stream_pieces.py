@@ -1,0 +1,219 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pieces of a stream: what a caller may give as one, what all have in common, and points with records, as the engine
+stores them.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._errors import FlipFlopError, InputError
+from ._input import points_of, refuse, refuse_masked, weights_of
+from ._las import LasPoints, read_las
+
+# What block files have of their own.
+RESERVED = ("points", "weights", "ids", "simplices", "offsets", "connectivity", "hidden", "blocks")
+
+
+@dataclass
+class Piece:
+    """A piece whose points the engine can read: what is to be left out is NaN."""
+
+    points: NDArray[Any]
+    weights: NDArray[Any] | None
+    attributes: dict[str, NDArray[Any]]
+
+
+@dataclass
+class Form:
+    """What all pieces of a run have in common: the types, as arrays without a point."""
+
+    kind: str
+    points: NDArray[Any]
+    weights: NDArray[Any] | None
+    attributes: dict[str, NDArray[Any]]
+
+    @classmethod
+    def of(cls, kind: str, piece: Piece) -> Form:
+        weights = None if piece.weights is None else piece.weights[:0].copy()
+        none = {name: values[:0].copy() for name, values in piece.attributes.items()}
+        return cls(kind, piece.points[:0].copy(), weights, none)
+
+    @property
+    def record(self) -> np.dtype[Any]:
+        """What travels with a point: its third coordinate, if the engine does not read it, and the attributes."""
+        carried = self.kind != "hull" and self.points.shape[1] == 3
+        fields: list[Any] = [("z", self.points.dtype)] if carried else []
+        fields += [(f"a{i}", one.dtype, one.shape[1:]) for i, one in enumerate(self.attributes.values())]
+        return np.dtype(fields)
+
+    def check(self, piece: Piece) -> None:
+        """Whether a piece that has points is of this form."""
+        for name, here, other in (("points", self.points, piece.points), ("weights", self.weights, piece.weights)):
+            if here is not None and other is not None:
+                _compare(name, here, other)
+        missing = [name for name in self.attributes if name not in piece.attributes]
+        unknown = [name for name in piece.attributes if name not in self.attributes]
+        if missing:
+            raise _wrong(f"there is no attribute {missing[0]!r}, which the first piece has")
+        if unknown:
+            raise _wrong(f"there is an attribute {unknown[0]!r}, which the first piece has not")
+        for name, one in self.attributes.items():
+            _compare(f"attribute {name!r}", one, piece.attributes[name])
+
+    def stored(self, piece: Piece) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
+        """Three numbers a point, as the engine reads them, and the records' bytes."""
+        points = piece.points
+        positions = np.zeros((len(points), 3))
+        columns = points.shape[1] if self.kind == "hull" else 2
+        positions[:, :columns] = points[:, :columns]
+        if piece.weights is not None:
+            positions[:, 2] = piece.weights
+        rows = np.zeros(len(points), self.record)
+        for name in rows.dtype.names or ():
+            rows[name] = points[:, 2] if name == "z" else list(piece.attributes.values())[int(name[1:])]
+        return positions, rows.view(np.uint8) if rows.itemsize else np.empty(0, np.uint8)
+
+    def arrays(self, positions: NDArray[np.float64], records: NDArray[np.uint8]) -> dict[str, NDArray[Any]]:
+        """Of the points of a block, by name: points, weights, attributes."""
+        rows: NDArray[Any] = np.ndarray(len(positions), self.record, records)
+        points = np.empty((len(positions), self.points.shape[1]), self.points.dtype)
+        columns = points.shape[1] if self.kind == "hull" else 2
+        points[:, :columns] = positions[:, :columns]
+        if columns < points.shape[1]:
+            points[:, 2] = rows["z"]
+        found = {"points": points}
+        if self.weights is not None:
+            found["weights"] = positions[:, 2].astype(self.weights.dtype)
+        for i, (name, one) in enumerate(self.attributes.items()):
+            found[name] = np.zeros((len(rows), *one.shape[1:]), one.dtype)  # what aligned fields leave free is 0
+            found[name][...] = rows[f"a{i}"]
+        return found
+
+
+class Pieces:
+    """The caller's pieces, one after another.
+
+    ignore: whether points that are not finite are left out
+    """
+
+    form: Form
+
+    def __init__(self, kind: str, pieces: Any, ignore: bool) -> None:
+        self._kind, self._pieces, self._ignore = kind, pieces, ignore
+        self._known: dict[int, Piece] = {}
+
+    def find_form(self) -> Form:
+        """That of the first piece that has points."""
+        for number in range(len(self._pieces)):
+            self._known[number] = piece = self._read(number)
+            if len(piece.points):
+                self.form = Form.of(self._kind, piece)
+                return self.form
+        first = self._known.get(0, Piece(np.empty((0, 3)), None, {}))
+        if self._kind == "regular" and first.weights is None:
+            first.weights = np.empty(0)
+        self.form = Form.of(self._kind, first)
+        return self.form
+
+    def __call__(self, number: int) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
+        """The piece, as the engine stores it."""
+        piece = self._known.pop(number, None) or self._read(number)
+        with _named(number):
+            if len(piece.points) == 0:
+                return np.empty((0, 3)), np.empty(0, np.uint8)
+            self.form.check(piece)
+        return self.form.stored(piece)
+
+    def _read(self, number: int) -> Piece:
+        try:
+            given = self._pieces[number]
+            if isinstance(given, (str, os.PathLike)):
+                given = _loaded(Path(given))
+        except Exception as error:
+            error.add_note(f"This is of piece {number} of {len(self._pieces)}.")
+            raise
+        with _named(number):
+            return self._piece_of(given)
+
+    def _piece_of(self, given: Any) -> Piece:
+        if isinstance(given, LasPoints):
+            given = {"points": given.points, **given.attributes}
+        fields = dict(given) if isinstance(given, Mapping) else {"points": given}
+        if "points" not in fields:
+            raise _wrong(f"there are no 'points' among {', '.join(map(repr, fields)) or 'no arrays'}")
+        points, left_out = points_of(fields.pop("points"), self._ignore)
+        if self._kind == "hull" and points.shape[1] == 2 and len(points):
+            raise _wrong("a hull of pieces is of points of three coordinates, not of two")
+        weights = None
+        if self._kind == "regular" and ("weights" in fields or len(points)):
+            if "weights" not in fields:
+                raise _wrong("there are no 'weights', which kind='regular' needs; without them, take kind='delaunay'")
+            weights, masked = weights_of(fields.pop("weights"), self._ignore)
+            left_out = left_out or masked
+            if len(weights) != len(points):
+                text = f"there are not as many weights as points: {len(points)} points, {len(weights)} weights"
+                raise InputError(text, "weight_count", len(points), len(weights))
+        elif "weights" in fields:
+            raise _wrong(f"there are 'weights', which kind={self._kind!r} does not know: take kind='regular'")
+        if len(points) and not left_out:
+            read = points if self._kind == "hull" else points[:, :2]
+            wrong = ~np.isfinite(read).all(axis=1)
+            wrong = wrong if weights is None else wrong | ~np.isfinite(weights)
+            refuse(wrong, "a coordinate or weight is NaN or infinite", "non_finite")
+        return Piece(points, weights, {name: _attribute(name, one, len(points)) for name, one in fields.items()})
+
+
+def _attribute(name: Any, values: Any, count: int) -> NDArray[Any]:
+    if not isinstance(name, str) or not name or name in RESERVED:
+        raise _wrong(f"an attribute's name is text, and none of {', '.join(RESERVED)}; it is {name!r}")
+    refuse_masked(values, f"attribute {name!r}")
+    array = np.asarray(values)
+    if array.dtype.hasobject:
+        raise TypeError(f"attribute {name!r} has values of a fixed size, and not of type {array.dtype}")
+    if array.ndim == 0 or len(array) != count:
+        raise _wrong(f"attribute {name!r} has a value for each of {count} points, and not the shape {array.shape}")
+    return array
+
+
+def _loaded(path: Path) -> Any:
+    suffix = path.suffix.lower()
+    if suffix == ".npy":
+        return np.load(path, allow_pickle=False)
+    if suffix == ".npz":
+        with np.load(path, allow_pickle=False) as file:
+            return dict(file)
+    if suffix in (".las", ".laz"):
+        return read_las(path)
+    raise InputError(f"a file of points is .npy, .npz or .las, not {path}", "bad_argument")
+
+
+def _compare(name: str, first: NDArray[Any], other: NDArray[Any]) -> None:
+    if other.dtype != first.dtype:
+        raise _wrong(f"{name}: the type is {other.dtype}, and {first.dtype} in the first piece")
+    if other.shape[1:] != first.shape[1:]:
+        raise _wrong(f"{name}: a point has the shape {other.shape[1:]}, and {first.shape[1:]} in the first piece")
+
+
+def _wrong(sentence: str) -> InputError:
+    return InputError(sentence, "bad_argument")
+
+
+@contextmanager
+def _named(number: int) -> Iterator[None]:
+    """Errors of what a piece has begin with its number."""
+    try:
+        yield
+    except FlipFlopError as error:
+        raise type(error)(f"piece {number}: {error}", error.code, error.index, error.count) from None
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"piece {number}: {error}") from None
