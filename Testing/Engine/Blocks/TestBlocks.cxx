@@ -108,25 +108,6 @@ TEST_P(Blocks, AreOneRun)
   }
 }
 
-TEST_P(Blocks, WaitAsBytes)
-{
-  const bool isHull = this->GetParam().kind->dimension == 3;
-  const int axes = isHull ? 3 : 2;
-  const Cloud cloud = this->GetParam().input.make();
-  for (const BlockShape shape :
-    { isHull ? BlockShape::Hull : BlockShape::RegularTriangulation, BlockShape::Delaunay })
-  {
-    expectSameAsBytes(shape, cloud, dealInHalves(cloud, 5, axes), 5, 2);
-    const SmallSamples small;
-    expectSameAsBytes(shape, cloud, dealAtRandom(cloud, 3, axes, 1), 3, 1);
-    expectSameAsBytes(shape, cloud, Dealing(cloud.size(), 2), 4, 2);
-    if (isHull)
-    {
-      break;
-    }
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P(Hulls, Blocks, ::testing::ValuesIn(blockInputs(convexHulls)));
 INSTANTIATE_TEST_SUITE_P(
   Triangulations, Blocks, ::testing::ValuesIn(blockInputs(regularTriangulations)));
