@@ -75,6 +75,7 @@ void writePolyData(vtkPolyData* data, const fs::path& file)
   writer->SetInputData(data);
   writer->SetHeaderTypeToUInt64();
   writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToLZ4(); // zlib takes several times as long as all else
   errno = 0;
   const int isWritten = writer->Write();
   const int number = errno;

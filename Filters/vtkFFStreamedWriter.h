@@ -16,7 +16,7 @@
  * (SetInputData()), it is one piece.
  *
  * The file name.vtpd is a vtkPartitionedDataSet, for vtkXMLPartitionedDataSetReader and ParaView.
- * Beside it, the folder name has a file name_k.vtp for each block k:
+ * Beside it, the folder name has a file name_k.vtp for each block k, compressed by LZ4:
  *
  * - The points are those of the block's cells. Points on the border of
  *   two blocks are in both. They have the type and the bits of the
