@@ -150,6 +150,35 @@ def test_stopped_at_many_fractions(tmp_path, expected, monkeypatch):
     assert digest(tmp_path / "often") == expected
 
 
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="this system has no timer to interrupt by")
+def test_interrupts_at_any_moment(tmp_path, expected):
+    """As Ctrl-C does: between two lines of Python on the calling thread, whatever the others do."""
+
+    def interrupt(*_):
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    interrupted = 0
+    try:
+        for number, after in enumerate(np.random.default_rng(SEED).uniform(0.01, 0.4, 20)):
+            print("seed", SEED, "seconds", after)
+            folder = tmp_path / str(number)
+            try:
+                signal.setitimer(signal.ITIMER_REAL, after)
+                stream(Tiles(), folder, **CHOICES)
+                signal.setitimer(signal.ITIMER_REAL, 0)
+            except KeyboardInterrupt:
+                interrupted += 1
+            check_whole(folder)
+            if not (folder / "block-00019.npz").exists() or (folder / "work").exists():
+                goes_on(folder, expected)
+            assert digest(folder) == expected
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert interrupted > 5
+
+
 @pytest.mark.parametrize("kind", [OSError, MemoryError, KeyboardInterrupt])
 @pytest.mark.parametrize("at", [0, 1, 8, 20])
 @pytest.mark.parametrize("what", ["arrays", "name"])
@@ -236,9 +265,14 @@ def test_a_folder_that_is_a_file(tmp_path, expected):
 
 def test_a_folder_that_is_taken(tmp_path, expected):
     stream(Tiles(), tmp_path, **CHOICES)
-    with pytest.raises(FileExistsError, match="there is a block of another run: take it away, or .*block-00000.npz"):
+    words = "this is there already, and not of this run: take it away, or choose another folder"
+    with pytest.raises(FileExistsError, match=f"{words}.*block-00000.npz"):
         stream(Tiles(), tmp_path, **CHOICES)
     assert digest(tmp_path) == expected
+    (tmp_path / "own" / "work").mkdir(parents=True)
+    (tmp_path / "own" / "work" / "letter.txt").write_bytes(b"")
+    with pytest.raises(FileExistsError, match=f"{words}.*letter.txt"):
+        stream(Tiles(), tmp_path / "own", **CHOICES)
     other = tmp_path / "other"
     with pytest.raises(Stop):
         stream(Tiles(5, fail), other, **CHOICES)

@@ -30,6 +30,7 @@ _SHAPES = {"hull": 0, "delaunay": 1, "regular": 2}
 _KINDS = ("delaunay", "regular", "hull")
 _LEAST_MEMORY = 2**20
 _FORM = "form.npz"  # the work folder's first file, and its last
+_PART = "npz.part"  # a file that is being written
 
 
 class LazyPieces(Protocol):
@@ -205,8 +206,8 @@ class _Files:
             none = {name: stored[f"a{i}"] for i, name in enumerate(names)}
             pieces.form = Form(json.loads(arguments)["kind"], stored["points"], stored.get("weights"), none)
             return
-        for one in self._blocks():
-            sentence = "there is a block of another run: take it away, or choose another folder"
+        for one in self._blocks() + [one for one in self.work.glob("*") if one.name != _PART]:
+            sentence = "this is there already, and not of this run: take it away, or choose another folder"
             raise FileExistsError(errno.EEXIST, sentence, str(one))
         form = pieces.find_form()
         self.work.mkdir(parents=True, exist_ok=True)
@@ -238,7 +239,7 @@ class _Files:
 
     def _write(self, path: Path, arrays: dict[str, NDArray[Any]]) -> None:
         """All or nothing. What a killed process leaves is replaced by the next file."""
-        part = self.work / "npz.part"
+        part = self.work / _PART
         try:
             write_arrays(part, arrays)
             os.replace(part, path)
