@@ -41,6 +41,8 @@
  * file: NoFileNameError, CannotOpenFileError, OutOfDiskSpaceError. An error in a piece names it.
  * Write() then returns 0, as after an abort.
  *
+ * One process writes. ParaView does not offer the writer on a server of several ranks.
+ *
  * Power diagrams, alpha complexes and terrain meshes are not streamed, nor planes other than XY.
  *
  * @sa
