@@ -4,8 +4,8 @@
 /// All error bounds of what is decided in floating point, and the ranges in which they hold.
 ///
 /// Each is proven by a Gappa script in Testing/Proofs, whose name its group has
-/// (Documentation/Proofs.md). Errors of doubles are multiples of 2^-53, those of double-doubles of
-/// 2^-106; each constant is exact as it is written.
+/// (Documentation/Exactness.md). Errors of doubles are multiples of 2^-53, those of double-doubles
+/// of 2^-106; each constant is exact as it is written.
 #ifndef flipflop_ErrorBounds_h
 #define flipflop_ErrorBounds_h
 

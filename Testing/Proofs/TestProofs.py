@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every error bound of the sources has a proof of the very expression, and the two are the same (Documentation/Proofs.md).
+"""Every error bound of the sources has a proof of the very expression, and the two are the same (Documentation/Exactness.md).
 
 A script quotes what it mirrors:
     #: FILE FUNCTION    what follows is in this function
