@@ -5,6 +5,7 @@
 #include "vtkFFErrorCode.h"
 #include "vtkFFInputPieces.h"
 #include "vtkFFOutput.h"
+#include "vtkFFPlanarInput.h"
 #include "vtkFFRun.h"
 #include "vtkFFStreamedFiles.h"
 #include "vtkFFStreamedInput.h"
@@ -25,7 +26,11 @@
 #include <cerrno>
 #include <cstdint>
 #include <filesystem>
+#include <ios>
+#include <numeric>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -44,6 +49,22 @@ vtkSmartPointer<vtkPolyData> makeBlock(
   vtkFFOutput::AdoptCells(cells, data);
   vtkFFOutput::AddIds(vtkFFOutput::AdoptIds(cells.pointIds), data->GetPointData());
   return data;
+}
+
+/// Leaves out the cells with a longer edge, if it is a length.
+void dropLongCells(double longest, const flipflop::Options& chosen, flipflop::BlockResult& block)
+{
+  flipflop::Options options = chosen; // those who watch the whole run do so from another thread
+  options.progress = nullptr;
+  options.step = nullptr;
+  // The positions are of the cells' points alone.
+  flipflop::CellComplex& cells = block.cells;
+  flipflop::Buffer<std::int64_t> ids(cells.pointIds.size());
+  std::iota(ids.begin(), ids.end(), std::int64_t(0));
+  std::swap(ids, cells.pointIds);
+  vtkFFPlanarInput::DropLongCells(
+    { block.positions.data(), static_cast<std::int64_t>(ids.size()) }, longest, options, cells);
+  std::swap(ids, cells.pointIds);
 }
 
 /// A failure at a file.
@@ -188,6 +209,13 @@ flipflop::StreamReport vtkFFStreamedWriter::WriteFiles(vtkFFStreamedInput& input
     run.Failure.Say("There is no File Name.", vtkErrorCode::NoFileNameError);
     return {};
   }
+  if (!(this->MaximumEdgeLength >= 0.0))
+  {
+    std::ostringstream message;
+    message << "Maximum Edge Length is to be " << this->MaximumEdgeLength
+            << "; it must be a length, or 0 for edges of any length.";
+    throw vtkFFBadSetting(message.str());
+  }
   const vtkFFStreamedFiles files(this->FileName);
   input.Begin();
   const vtkFFPointRecords& records = input.GetRecords();
@@ -200,7 +228,10 @@ flipflop::StreamReport vtkFFStreamedWriter::WriteFiles(vtkFFStreamedInput& input
   settings.recordSize = records.GetSize();
   vtkFFWorkFolder folder(this->WorkFolder, files);
   settings.folder = folder.GetName();
-  std::string key = files.GetFile().u8string() + " " + records.Describe();
+  const double longest = this->Shape == HULL ? 0.0 : this->MaximumEdgeLength;
+  std::ostringstream length;
+  length << std::hexfloat << longest;
+  std::string key = files.GetFile().u8string() + " " + records.Describe() + " " + length.str();
   for (const int choice : { static_cast<int>(settings.shape), this->FacetMode,
          this->NonFinitePoints, input.GetNumberOfPieces() })
   {
@@ -219,7 +250,10 @@ flipflop::StreamReport vtkFFStreamedWriter::WriteFiles(vtkFFStreamedInput& input
     return piece;
   };
   const auto write = [&](flipflop::StreamedBlock&& block)
-  { files.WriteBlock(block.number, makeBlock(block, records)); };
+  {
+    dropLongCells(longest, run.Options, block.result);
+    files.WriteBlock(block.number, makeBlock(block, records));
+  };
   const flipflop::StreamReport report =
     flipflop::streamedRun(settings, input.GetNumberOfPieces(), read, write);
   files.WriteList(report.blocks);
@@ -251,6 +285,7 @@ void vtkFFStreamedWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Shape: " << this->Shape << "\n";
   os << indent << "WeightMode: " << this->WeightMode << "\n";
   os << indent << "WeightFactor: " << this->WeightFactor << "\n";
+  os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "FacetMode: " << this->FacetMode << "\n";
   os << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";

@@ -129,6 +129,16 @@ public:
 
   //@{
   /**
+   * Set/Get the length of the longest edge that the cells of a triangulation may have, as in
+   * vtkFFRegularTriangulationFilter. 0 by default: any. A negative number and NaN are an error of
+   * Write(). A hull is written whole.
+   */
+  vtkSetMacro(MaximumEdgeLength, double);
+  vtkGetMacro(MaximumEdgeLength, double);
+  //@}
+
+  //@{
+  /**
    * Set/Get how facets are given: vtkFFAlgorithm::FACETS_AS_TRIANGLES (the default) or
    * FACETS_AS_POLYGONS.
    */
@@ -213,8 +223,9 @@ public:
   /**
    * Get what the last Write() found: how many points all pieces have, without ghosts that are left
    * out, and how many of these are not finite, and hidden (of a hull: not strictly extreme); the
-   * number of cells and of blocks; the dimension of what the points span; volume and area of a
-   * hull. Before a Write(), and after an error: 0, and -1 for the dimension.
+   * number of cells, before MaximumEdgeLength leaves some out, and of blocks; the dimension of what
+   * the points span; volume and area of a hull. Before a Write(), and after an error: 0, and -1 for
+   * the dimension.
    */
   vtkGetMacro(NumberOfInputPoints, vtkIdType);
   vtkGetMacro(NumberOfNonFinitePoints, vtkIdType);
@@ -247,6 +258,7 @@ protected:
   int Shape = TRIANGULATION;
   int WeightMode = 0;
   double WeightFactor = 1.0;
+  double MaximumEdgeLength = 0.0;
   int FacetMode = 0;
   int NumberOfPieces = 1;
   vtkIdType MemoryLimit = 1048576;

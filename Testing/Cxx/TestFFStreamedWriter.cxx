@@ -171,6 +171,28 @@ void testWeights()
   FF_CHECK(stream.Run(data, "radii"));
 }
 
+/// Cells with a long edge are left out, of a hull none; all points stay.
+void testEdgeLength()
+{
+  for (const StreamCase& each : streamCases)
+  {
+    WriterStream stream(each);
+    const auto data = makeInput(600, 745);
+    stream.Source->SetWhole(data);
+    stream.Writer->SetNumberOfPieces(2);
+    stream.Writer->SetPointsPerBlock(100);
+    stream.Writer->SetMaximumEdgeLength(0.125);
+    auto* const filter = vtkFFRegularTriangulationFilter::SafeDownCast(stream.Filter);
+    if (filter)
+    {
+      filter->SetMaximumEdgeLength(0.125);
+    }
+    FF_CHECK(stream.Run(data, each.Name + " without long edges"));
+    FF_CHECK(!filter || filter->GetNumberOfDroppedCells() > 100);
+    FF_CHECK(!filter || filter->GetOutput()->GetNumberOfCells() > 100);
+  }
+}
+
 /// Points that are not finite, z among them, are left out, and keep their places.
 void testNonFinite()
 {
@@ -344,6 +366,7 @@ int TestFFStreamedWriter(int, char*[])
   testPointData();
   testBits();
   testWeights();
+  testEdgeLength();
   testNonFinite();
   testGhosts();
   testInputs();

@@ -158,6 +158,14 @@ void testNames()
   FF_CHECK(
     stream.Fails(vtkFFErrorCode::SettingError, "File Name is points.vtp; it must end with .vtpd."));
 
+  stream.Writer->SetFileName(stream.File.c_str());
+  stream.Writer->SetMaximumEdgeLength(-1.5);
+  FF_CHECK(stream.Fails(vtkFFErrorCode::SettingError,
+    "Maximum Edge Length is to be -1.5; it must be a length, or 0 for edges of any length."));
+  stream.Writer->SetMaximumEdgeLength(nan);
+  FF_CHECK(stream.Fails(vtkFFErrorCode::SettingError, "Maximum Edge Length is to be nan; "));
+  stream.Writer->SetMaximumEdgeLength(0.0);
+
   std::ofstream(stream.Folder.File("file")) << "no folder";
   stream.Writer->SetFileName(stream.Folder.File("file/a.vtpd").c_str());
   FF_CHECK(stream.Fails(vtkErrorCode::CannotOpenFileError, "file"));
