@@ -172,6 +172,9 @@ def test_what_is_not_finite(tmp_path, kind):
     masked = pieces(np.ma.masked_invalid(points), np.ma.masked_invalid(weights))
     other = stream(masked, tmp_path / "masked", kind=kind, block_points=300)
     check(other, kind, points, weights if kind == "regular" else None)
+    if kind == "regular":
+        other = stream(pieces(POINTS, np.ma.masked_invalid(weights)), tmp_path / "weights", kind=kind)
+        check(other, kind, POINTS, weights)
 
 
 FIRST = {"points": POINTS[:10], "n": np.arange(10), "flag": np.zeros(10, bool)}

@@ -87,10 +87,11 @@ def stream(
     ----------
     pieces : sequence
         whatever has a length and gives piece i as pieces[i]: a list, or an object that reads them one by one. Each is
-        read once. A piece is an array of points, n by 2 or 3; or a mapping (also what read_las() gives) that has
-        "points", with kind "regular" also "weights", and any arrays of a value for each point, of any type of fixed
-        size: attributes; or the name of a file of that, .npy, .npz or .las. All pieces that have points have the types
-        and the attributes of the first. A point's id is its place in all pieces, one after another.
+        read once; by a call that goes on, those alone that are not stored yet. A piece is an array of points, n by 2
+        or 3; or a mapping (also what read_las() gives) that has "points", with kind "regular" also "weights", and any
+        arrays of a value for each point, of any type of fixed size: attributes; or the name of a file of that, .npy,
+        .npz or .las. All pieces that have points have the types and the attributes of the first. A point's id is its
+        place in all pieces, one after another.
     folder : path
         where the files come to be, block-00000.npz and so on; see below. It is made if it is not there. While the run
         lasts, its folder work has 100 to 200 bytes a point, and the attributes.
