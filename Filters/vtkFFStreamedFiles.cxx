@@ -71,7 +71,7 @@ void writePolyData(vtkPolyData* data, const fs::path& file)
   vtkNew<vtkCallbackCommand> silence; // the run has a message of its own
   writer->AddObserver(vtkCommand::ErrorEvent, silence);
   writer->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
-  writer->SetFileName(file.u8string().c_str());
+  writer->SetFileName(vtkFFStreamedFiles::ToText(file).c_str());
   writer->SetInputData(data);
   writer->SetHeaderTypeToUInt64();
   writer->EncodeAppendedDataOff();
@@ -114,7 +114,7 @@ bool isRuns(const fs::path& file)
 
 //------------------------------------------------------------------------------
 vtkFFStreamedFiles::vtkFFStreamedFiles(const char* fileName)
-  : File(fs::absolute(fs::u8path(fileName)))
+  : File(fs::absolute(ToPath(fileName)))
   , Folder(File)
 {
   if (this->File.extension() != ending || this->File.stem().empty())
@@ -123,6 +123,23 @@ vtkFFStreamedFiles::vtkFFStreamedFiles(const char* fileName)
       std::string("File Name is ") + fileName + "; it must end with " + ending + ".");
   }
   this->Folder.replace_extension();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFFStreamedFiles::ToText(const fs::path& path)
+{
+  const auto text = path.u8string(); // of another type in C++20
+  return { text.begin(), text.end() };
+}
+
+//------------------------------------------------------------------------------
+fs::path vtkFFStreamedFiles::ToPath(const std::string& text)
+{
+#ifdef __cpp_char8_t
+  return { std::u8string(text.begin(), text.end()) };
+#else
+  return fs::u8path(text);
+#endif
 }
 
 //------------------------------------------------------------------------------
@@ -154,8 +171,8 @@ void vtkFFStreamedFiles::WriteList(std::int64_t blocks) const
     }
     const auto element = makeElement("DataSet");
     element->SetAttribute("index", std::to_string(block).c_str());
-    element->SetAttribute(
-      "file", (this->Folder.filename() / file.filename()).generic_u8string().c_str());
+    const std::string name = ToText(this->Folder.filename()) + "/" + ToText(file.filename());
+    element->SetAttribute("file", name.c_str());
     set->AddNestedElement(element);
   }
   std::int64_t further = blocks;
@@ -180,7 +197,7 @@ vtkFFWorkFolder::vtkFFWorkFolder(const char* name, const vtkFFStreamedFiles& fil
 {
   if (name && *name)
   {
-    this->Folder = fs::absolute(fs::u8path(name));
+    this->Folder = fs::absolute(vtkFFStreamedFiles::ToPath(name));
   }
   else
   {
@@ -207,7 +224,7 @@ void vtkFFWorkFolder::Begin(
   }
   else if (!fs::is_empty(this->Folder))
   {
-    throw vtkFFBadSetting("The work folder " + this->Folder.u8string() + " has other files in it.");
+    throw vtkFFBadSetting("The work folder " + this->GetName() + " has other files in it.");
   }
   std::vector<std::string> now{ std::to_string(hashOf(settings.data(), settings.size())) };
   bool isSame = !before.empty() && before[0] == now[0];

@@ -35,6 +35,14 @@ public:
 
   const std::filesystem::path& GetFile() const { return this->File; }
 
+  //@{
+  /**
+   * Paths as VTK writes them, in UTF-8.
+   */
+  static std::string ToText(const std::filesystem::path& path);
+  static std::filesystem::path ToPath(const std::string& text);
+  //@}
+
   /**
    * Write a block. The file that lists the blocks of an earlier writing is removed before.
    */
@@ -64,7 +72,7 @@ public:
    */
   vtkFFWorkFolder(const char* name, const vtkFFStreamedFiles& files);
 
-  std::string GetName() const { return this->Folder.u8string(); }
+  std::string GetName() const { return vtkFFStreamedFiles::ToText(this->Folder); }
 
   /**
    * Go on with what is in the folder, if it is of these settings and pieces; otherwise, empty it.

@@ -72,7 +72,7 @@ void sayOfFile(const std::filesystem::filesystem_error& error, vtkFFFailure& fai
 {
   const int number = error.code().value();
   const bool isFull = number == ENOSPC || number == EFBIG;
-  failure.Say("The file " + error.path1().u8string() +
+  failure.Say("The file " + vtkFFStreamedFiles::ToText(error.path1()) +
       " cannot be written or read: " + error.code().message() + ". Write again to go on.",
     isFull ? vtkErrorCode::OutOfDiskSpaceError : vtkErrorCode::CannotOpenFileError);
 }
@@ -231,7 +231,8 @@ flipflop::StreamReport vtkFFStreamedWriter::WriteFiles(vtkFFStreamedInput& input
   const double longest = this->Shape == HULL ? 0.0 : this->MaximumEdgeLength;
   std::ostringstream length;
   length << std::hexfloat << longest;
-  std::string key = files.GetFile().u8string() + " " + records.Describe() + " " + length.str();
+  std::string key =
+    vtkFFStreamedFiles::ToText(files.GetFile()) + " " + records.Describe() + " " + length.str();
   for (const int choice : { static_cast<int>(settings.shape), this->FacetMode,
          this->NonFinitePoints, input.GetNumberOfPieces() })
   {

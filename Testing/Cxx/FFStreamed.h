@@ -48,7 +48,7 @@ public:
   }
   ~TestFolder() { std::filesystem::remove_all(this->Path); }
 
-  std::string File(const std::string& name) const { return (this->Path / name).u8string(); }
+  std::string File(const std::string& name) const { return (this->Path / name).string(); }
 
   /// All that is in it, by names from here on, but what is in folders of names that end with .work.
   std::vector<std::string> List() const
@@ -56,8 +56,7 @@ public:
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(this->Path))
     {
-      const std::string name =
-        std::filesystem::relative(entry.path(), this->Path).generic_u8string();
+      const std::string name = std::filesystem::relative(entry.path(), this->Path).generic_string();
       if (name.find(".work/") == std::string::npos)
       {
         names.push_back(name);
