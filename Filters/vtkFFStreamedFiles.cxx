@@ -224,7 +224,8 @@ void vtkFFWorkFolder::Begin(
   }
   else if (!fs::is_empty(this->Folder))
   {
-    throw vtkFFBadSetting("The work folder " + this->GetName() + " has other files in it.");
+    throw vtkFFBadSetting(
+      "The work folder " + vtkFFStreamedFiles::ToText(this->Folder) + " has other files in it.");
   }
   std::vector<std::string> now{ std::to_string(hashOf(settings.data(), settings.size())) };
   bool isSame = !before.empty() && before[0] == now[0];

@@ -72,7 +72,7 @@ public:
    */
   vtkFFWorkFolder(const char* name, const vtkFFStreamedFiles& files);
 
-  std::string GetName() const { return vtkFFStreamedFiles::ToText(this->Folder); }
+  const std::filesystem::path& GetPath() const { return this->Folder; }
 
   /**
    * Go on with what is in the folder, if it is of these settings and pieces; otherwise, empty it.

@@ -227,7 +227,7 @@ flipflop::StreamReport vtkFFStreamedWriter::WriteFiles(vtkFFStreamedInput& input
   settings.blockPoints = static_cast<std::int64_t>(this->PointsPerBlock);
   settings.recordSize = records.GetSize();
   vtkFFWorkFolder folder(this->WorkFolder, files);
-  settings.folder = folder.GetName();
+  settings.folder = folder.GetPath();
   const double longest = this->Shape == HULL ? 0.0 : this->MaximumEdgeLength;
   std::ostringstream length;
   length << std::hexfloat << longest;

@@ -108,11 +108,11 @@ StreamReport run(const StreamSettings& settings, std::int64_t pieces, const Read
   report.nonFinite = counts.nonFinite;
   report.blocks = counts.blocks;
   StreamedBlocks(folder, points, settings, monitor, threads).run(write, report);
+  monitor.stage(1.0, 1.0, 1); // the last stop: what comes is not to be done again
   folder.remove(RunFile);
   folder.removeAll();
   report.bytesWritten = folder.bytesWritten();
   report.bytesRead = folder.bytesRead();
-  monitor.stage(1.0, 1.0, 1);
   return report;
 }
 

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace flipflop
 {
@@ -75,8 +76,8 @@ const FileSection* sectionOf(const FileSections& sections, std::int64_t key)
   return found != sections.end() && found->key == key ? &*found : nullptr;
 }
 
-WorkFolder::WorkFolder(const std::string& folder)
-  : path(folder)
+WorkFolder::WorkFolder(fs::path folder)
+  : path(std::move(folder))
 {
   fs::create_directories(this->path);
   this->removeEach(Unfinished);

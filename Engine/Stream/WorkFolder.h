@@ -39,7 +39,7 @@ class WorkFolder
 public:
   /// Made if it is not there. A file that was not whole is removed.
   /// @throw std::filesystem::filesystem_error as all functions do
-  explicit WorkFolder(const std::string& folder);
+  explicit WorkFolder(std::filesystem::path folder);
 
   bool has(const std::string& name) const;
 

@@ -11,7 +11,7 @@
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
-#include <nanobind/stl/string.h>
+#include <nanobind/stl/filesystem.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -71,9 +71,9 @@ nb::dict fieldsOf(StreamedBlock&& block)
 /// The run's report, by name.
 /// @param read  called with the number of a piece; see pieceOf()
 /// @param write called with the number of a block, and fieldsOf() it
-nb::dict streamed(int shape, std::int64_t pieces, const std::string& folder, std::int64_t memory,
-  std::int64_t blockPoints, std::size_t recordSize, const nb::object& read, const nb::object& write,
-  const Settings& settings)
+nb::dict streamed(int shape, std::int64_t pieces, const std::filesystem::path& folder,
+  std::int64_t memory, std::int64_t blockPoints, std::size_t recordSize, const nb::object& read,
+  const nb::object& write, const Settings& settings)
 {
   StreamSettings chosen;
   chosen.shape = static_cast<BlockShape>(shape);

@@ -74,6 +74,7 @@ struct BlockResult
   Buffer<std::int32_t> blocks;
 
   /// The block's points that do not appear (in a hull: that are not strictly extreme), ascending.
+  /// None of a hull that spans less than space: the block that has it alone knows its corners.
   Buffer<std::int64_t> hiddenIds;
 };
 

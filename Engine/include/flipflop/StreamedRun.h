@@ -12,8 +12,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace flipflop
@@ -64,7 +64,7 @@ struct StreamSettings
   /// Where what waits is, in files: 100 to 200 bytes a point, and the records. The folder is made
   /// if it is not there. It is removed in the end. After an error it stays: the same call goes on
   /// with it. It is of one run at a time.
-  std::string folder;
+  std::filesystem::path folder;
 
   /// The bytes that the run may take, about; not among them are a piece and a block's result while
   /// the caller has them. Points at one position are in one block, however many they are.
@@ -81,7 +81,7 @@ struct StreamReport
 {
   std::int64_t points = 0;         ///< of all pieces
   std::int64_t nonFinite = 0;      ///< of these, left out
-  std::int64_t hidden = 0;         ///< of these, in no cell
+  std::int64_t hidden = 0;         ///< in all BlockResult::hiddenIds
   std::int64_t cells = 0;          ///< of all blocks
   std::int64_t blocks = 0;         ///< how many there were
   int dimension = -1;              ///< of what the points span
