@@ -103,11 +103,22 @@ std::uint64_t hashOf(const void* bytes, std::size_t size)
   return std::hash<std::string_view>()({ static_cast<const char*>(bytes), size });
 }
 
-/// The files of a streamed run end so.
-bool isRuns(const fs::path& file)
+/// Removes the files of a folder whose name is so.
+template <class Is>
+void removeEach(const fs::path& folder, const Is& is)
 {
-  const std::string name = file.filename().string();
-  return name.find(".flipflop") != std::string::npos;
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+  {
+    if (is(vtkFFStreamedFiles::ToText(entry.path().filename())))
+    {
+      files.push_back(entry.path());
+    }
+  }
+  for (const fs::path& file : files)
+  {
+    fs::remove(file);
+  }
 }
 
 }
@@ -175,11 +186,7 @@ void vtkFFStreamedFiles::WriteList(std::int64_t blocks) const
     element->SetAttribute("file", name.c_str());
     set->AddNestedElement(element);
   }
-  std::int64_t further = blocks;
-  while (fs::remove(this->GetBlock(further)))
-  {
-    ++further;
-  }
+  this->RemoveBlocks(blocks);
   const auto root = makeElement("VTKFile");
   root->SetAttribute("type", "vtkPartitionedDataSet");
   root->SetAttribute("version", "1.0");
@@ -190,6 +197,27 @@ void vtkFFStreamedFiles::WriteList(std::int64_t blocks) const
     root->PrintXML(stream, vtkIndent());
   };
   writeWhole(this->File, [&](const fs::path& part) { writeText(part, std::ios::trunc, print); });
+}
+
+//------------------------------------------------------------------------------
+void vtkFFStreamedFiles::RemoveBlocks(std::int64_t begin) const
+{
+  const std::string prefix = ToText(this->Folder.filename()) + "_";
+  removeEach(this->Folder,
+    [&](const std::string& name)
+    {
+      const std::string digits = name.compare(0, prefix.size(), prefix) == 0
+        ? name.substr(
+            prefix.size(), name.find_first_not_of("0123456789", prefix.size()) - prefix.size())
+        : std::string();
+      if (digits.empty() || digits.size() > 18)
+      {
+        return false;
+      }
+      const std::int64_t block = std::stoll(digits);
+      const std::string file = ToText(this->GetBlock(block).filename());
+      return block >= begin && (name == file || name == file + unfinished);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -273,18 +301,9 @@ std::string vtkFFWorkFolder::HashOf(const flipflop::StreamPiece& piece)
 //------------------------------------------------------------------------------
 void vtkFFWorkFolder::RemoveRun() const
 {
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(this->Folder))
-  {
-    if (isRuns(entry.path()))
-    {
-      files.push_back(entry.path());
-    }
-  }
-  for (const fs::path& file : files)
-  {
-    fs::remove(file);
-  }
+  fs::remove(this->Folder / "run.flipflop"); // without it, the others are nobody's
+  removeEach(this->Folder,
+    [](const std::string& name) { return name.find(".flipflop") != std::string::npos; });
 }
 
 //------------------------------------------------------------------------------

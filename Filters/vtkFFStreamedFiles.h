@@ -55,6 +55,7 @@ public:
 
 private:
   std::filesystem::path GetBlock(std::int64_t block) const;
+  void RemoveBlocks(std::int64_t begin) const;
 
   std::filesystem::path File;
   std::filesystem::path Folder;

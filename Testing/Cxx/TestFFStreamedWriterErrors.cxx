@@ -310,14 +310,54 @@ void testAborts()
   }
 }
 
-/// A later writing of fewer blocks leaves none of the earlier ones.
+/// Emptying the work folder fails in its midst: what remains is not taken for a run.
+void testHalfEmptied()
+{
+  Stream stream(845);
+  vtkNew<ProgressObserver> progress;
+  progress->AbortAt = 0.5;
+  const auto observer = stream.Writer->AddObserver(vtkCommand::ProgressEvent, progress);
+  FF_CHECK_EQUAL(stream.Writer->Write(), 0);
+  stream.Writer->RemoveObserver(observer);
+  stream.Writer->SetAbortExecute(0);
+  const fs::path work = stream.Folder.File("a <b>.work");
+  FF_CHECK(fs::exists(work / "run.flipflop"));
+
+  fs::create_directories(work / "obstacle.flipflop" / "full");
+  stream.Writer->SetFacetMode(1);
+  FF_CHECK(stream.Fails(vtkErrorCode::CannotOpenFileError, "obstacle.flipflop"));
+  FF_CHECK(!fs::exists(work / "run.flipflop"));
+  fs::remove_all(work / "obstacle.flipflop");
+  stream.Writer->SetFacetMode(0);
+  FF_CHECK(stream.Works("half emptied"));
+}
+
+/// A later writing of fewer blocks leaves none of the earlier ones, of whatever numbers, nor what
+/// a killed process left of one; and leaves all others' files.
 void testFewerBlocks()
 {
   Stream stream(851);
   FF_CHECK(stream.Works("many blocks"));
+  const std::string block = stream.Folder.File("a <b>/a <b>_");
+  for (const char* name : { "70.vtp", "90.vtp", "80.vtp.part", "1000000000000.vtp.part" })
+  {
+    std::ofstream(block + name) << "of an earlier writing";
+  }
   stream.Writer->SetPointsPerBlock(10000);
   FF_CHECK(stream.Run(stream.Whole, "one block"));
   FF_CHECK_EQUAL(stream.Writer->GetNumberOfBlocks(), 1);
+
+  const std::vector<std::string> others{ "70.vtk", "070.vtp", "70.vtp.parts", "7a.vtp", ".vtp",
+    "-7.vtp", "99999999999999999999.vtp" };
+  for (const std::string& name : others)
+  {
+    std::ofstream(block + name) << "precious";
+  }
+  FF_CHECK_EQUAL(stream.Writer->Write(), 1);
+  for (const std::string& name : others)
+  {
+    FF_CHECK(fs::exists(block + name));
+  }
 }
 
 }
@@ -329,6 +369,7 @@ int TestFFStreamedWriterErrors(int, char*[])
   testObstacles();
   testFullDisk();
   testAborts();
+  testHalfEmptied();
   testFewerBlocks();
   return result();
 }
