@@ -23,13 +23,13 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <cerrno>
 #include <cstdint>
 #include <filesystem>
 #include <ios>
 #include <numeric>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -70,8 +70,8 @@ void dropLongCells(double longest, const flipflop::Options& chosen, flipflop::Bl
 /// A failure at a file.
 void sayOfFile(const std::filesystem::filesystem_error& error, vtkFFFailure& failure)
 {
-  const int number = error.code().value();
-  const bool isFull = number == ENOSPC || number == EFBIG;
+  const bool isFull =
+    error.code() == std::errc::no_space_on_device || error.code() == std::errc::file_too_large;
   failure.Say("The file " + vtkFFStreamedFiles::ToText(error.path1()) +
       " cannot be written or read: " + error.code().message() + ". Write again to go on.",
     isFull ? vtkErrorCode::OutOfDiskSpaceError : vtkErrorCode::CannotOpenFileError);
