@@ -64,6 +64,15 @@ def goes_on(folder, expected, **other):
     assert digest(folder) == expected
 
 
+def ends(folder, expected):
+    """The same call goes on, unless the run has ended: all files are there, and an empty folder of work at most."""
+    if (folder / "work" / "form.npz").exists() or not (folder / "block-00019.npz").exists():
+        goes_on(folder, expected)
+    elif (folder / "work").exists():
+        (folder / "work").rmdir()
+    assert digest(folder) == expected
+
+
 def check_whole(folder):
     """No file is half there."""
     for path in folder.glob("*.npz"):
@@ -170,9 +179,7 @@ def test_interrupts_at_any_moment(tmp_path, expected):
             except KeyboardInterrupt:
                 interrupted += 1
             check_whole(folder)
-            if not (folder / "block-00019.npz").exists() or (folder / "work").exists():
-                goes_on(folder, expected)
-            assert digest(folder) == expected
+            ends(folder, expected)
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
@@ -265,7 +272,7 @@ def test_a_folder_that_is_a_file(tmp_path, expected):
 
 def test_a_folder_that_is_taken(tmp_path, expected):
     stream(Tiles(), tmp_path, **CHOICES)
-    words = "this is there already, and not of this run: take it away, or choose another folder"
+    words = "this is there already, of no run to go on with: take it away, or choose another folder"
     with pytest.raises(FileExistsError, match=f"{words}.*block-00000.npz"):
         stream(Tiles(), tmp_path, **CHOICES)
     assert digest(tmp_path) == expected
@@ -309,6 +316,32 @@ def test_blocks_of_a_run_that_began_again(tmp_path, expected):
     for path in sorted((tmp_path / "form").rglob("*"), reverse=True) + [tmp_path / "form"]:
         path.rmdir() if path.is_dir() else path.unlink()
     goes_on(tmp_path, expected)
+
+
+def test_a_folder_of_work_that_remains(tmp_path, expected, monkeypatch):
+    """Something of others' is in it, or the process ends just before it goes: the run has ended all the same."""
+
+    def stop(*_):
+        raise Stop
+
+    foreign = tmp_path / "foreign"
+    streamed = stream(Tiles(5, (foreign / "work" / ".DS_Store").touch), foreign, **CHOICES)
+    assert sorted(foreign.iterdir()) == [*streamed.files, foreign / "work"]
+    assert [one.name for one in (foreign / "work").iterdir()] == [".DS_Store"]
+    ended = tmp_path / "ended"
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "rmdir", stop)
+        with pytest.raises(Stop):
+            stream(Tiles(), ended, **CHOICES)
+    for folder in (foreign, ended):
+        with pytest.raises(FileExistsError, match="of no run to go on with: .*block-00000.npz"):
+            stream(Tiles(), folder, **CHOICES)
+        (folder / "work" / ".DS_Store").unlink(missing_ok=True)
+        ends(folder, expected)
+    (ended / "work").mkdir()
+    for path in ended.glob("*.npz"):
+        path.unlink()
+    goes_on(ended, expected)
 
 
 # Ended ------------------------------------------------------------------------------------------------------------
@@ -362,10 +395,8 @@ def test_a_process_that_is_killed(tmp_path, expected):
         else:  # nothing was reported late enough
             assert way == "fraction" and at > 0.5 and digest(folder) == expected
     often = tmp_path / "often"
-    moments = random.uniform(0, 0.3, 12)
+    moments = random.uniform(0, 0.1, 12)
     print("seed", SEED, "seconds", moments)
     ended = sum(killed("clock", 0, often, moment) for moment in moments if not list(often.glob("block-00019.npz")))
     assert ended > 3
-    if (often / "work").exists():
-        goes_on(often, expected)
-    assert digest(often) == expected
+    ends(often, expected)

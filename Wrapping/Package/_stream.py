@@ -10,6 +10,7 @@ import os
 import re
 import zipfile
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from operator import index
 from pathlib import Path
 from typing import Any, Literal, NamedTuple, Protocol
@@ -208,7 +209,7 @@ class _Files:
             pieces.form = Form(json.loads(arguments)["kind"], stored["points"], stored.get("weights"), none)
             return
         for one in self._blocks() + [one for one in self.work.glob("*") if one.name != _PART]:
-            sentence = "this is there already, and not of this run: take it away, or choose another folder"
+            sentence = "this is there already, of no run to go on with: take it away, or choose another folder"
             raise FileExistsError(errno.EEXIST, sentence, str(one))
         form = pieces.find_form()
         self.work.mkdir(parents=True, exist_ok=True)
@@ -224,12 +225,16 @@ class _Files:
         self._write(self._path(number), arrays)
 
     def end(self, blocks: int) -> tuple[Path, ...]:
-        """All blocks' files. No other remains: a run that began again may have fewer than before."""
+        """All blocks' files. No other remains: a run that began again may have fewer than before.
+
+        The run has ended once the form is gone. The folder of work remains where something of others' is in it.
+        """
         made = tuple(map(self._path, range(blocks)))
         for one in set(self._blocks()) - set(made):
             one.unlink()
         (self.work / _FORM).unlink()
-        self.work.rmdir()
+        with suppress(OSError):
+            self.work.rmdir()
         return made
 
     def _path(self, number: int) -> Path:
