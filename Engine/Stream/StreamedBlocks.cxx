@@ -25,7 +25,7 @@ namespace
 {
 
 /// glibc keeps what a block has freed, in pieces that do not fit the next one: ten blocks of 1e6
-/// points took 947 MB, and take 412 so.
+/// points took 947 MB, and take half so. For steps that need the most: it takes time.
 void giveFreeMemoryBack()
 {
 #if defined(__GLIBC__)
@@ -123,7 +123,6 @@ void StreamedBlocks::stage(double from, double to, const char* name, const Numbe
         {
           this->monitor.poll();
           work(blocks[i]);
-          giveFreeMemoryBack();
           this->monitor.advance(1);
         }
       }
@@ -191,11 +190,8 @@ void StreamedBlocks::begin()
       {
         if (!this->folder.has(this->stateOf(block, 0)))
         {
-          this->points.storeRecords(block);
-          BlockRun run(this->settings.shape, this->points.pointsOf(block), this->options);
-          run.begin(this->summaries, static_cast<int>(block));
-          this->folder.write(nameOf("points-", block), { { 0, run.savePoints() } });
-          this->save(run, block, 0);
+          this->beginBlock(block);
+          giveFreeMemoryBack();
         }
       });
     this->folder.write(RoundFile, { { 0, bytesOf(&this->round, 1) } });
@@ -206,6 +202,15 @@ void StreamedBlocks::begin()
   {
     this->beginRound(number);
   }
+}
+
+void StreamedBlocks::beginBlock(std::int64_t block)
+{
+  this->points.storeRecords(block);
+  BlockRun run(this->settings.shape, this->points.pointsOf(block), this->options);
+  run.begin(this->summaries, static_cast<int>(block));
+  this->folder.write(nameOf("points-", block), { { 0, run.savePoints() } });
+  this->save(run, block, 0);
 }
 
 std::string StreamedBlocks::stateOf(std::int64_t block, std::int64_t ofRound) const
@@ -335,6 +340,7 @@ void StreamedBlocks::finish(const WriteBlock& write, StreamReport& report)
       if (!this->folder.has(nameOf("taken-", block)))
       {
         this->take(block, origin, write);
+        giveFreeMemoryBack();
       }
     });
   BlockMeasure measure;

@@ -43,6 +43,7 @@ private:
 
   void summarize();
   void begin();
+  void beginBlock(std::int64_t block);
   bool exchange();
   void finish(const WriteBlock& write, StreamReport& report);
   std::vector<double> lowestPoint();
