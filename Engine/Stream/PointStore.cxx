@@ -8,7 +8,6 @@
 #include "Support/Threads.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -71,11 +70,14 @@ struct PointStore::Chunk
   std::vector<char> rows;
 };
 
-PointStore::PointStore(WorkFolder& inFolder, const StreamSettings& chosen, Monitor& ofRun)
+PointStore::PointStore(
+  WorkFolder& inFolder, const StreamSettings& chosen, std::int64_t memory, Monitor& ofRun)
   : folder(inFolder)
   , settings(chosen)
   , monitor(ofRun)
   , rowSize(sizeof(StoredPoint) + chosen.recordSize)
+  , chunkPoints(
+      std::clamp(static_cast<std::size_t>(memory) / (6 * this->rowSize), LeastChunk, MostChunk))
 {
 }
 
@@ -91,8 +93,6 @@ void PointStore::read(std::int64_t pieces, const ReadPiece& readPiece)
     this->found = valueOf<StoredCounts>(this->folder.read("counts"));
     return;
   }
-  const std::size_t chunkPoints = std::clamp(
-    static_cast<std::size_t>(this->settings.memory) / (6 * this->rowSize), LeastChunk, MostChunk);
   Chunk chunk;
   for (const auto& input : this->folder.numbered("input-"))
   {
@@ -101,17 +101,20 @@ void PointStore::read(std::int64_t pieces, const ReadPiece& readPiece)
     this->found = chunk.head.found;
     this->found.chunks = input.first + 1;
   }
+  std::int64_t stored = chunk.head.endPiece;
   this->monitor.stage(0.0, 0.1, pieces, "storing points");
   for (std::int64_t piece = chunk.head.endPiece; piece < pieces; ++piece)
   {
     this->add(callersFunction([&] { return readPiece(piece); }), piece, chunk);
-    if (chunk.rows.size() >= chunkPoints * this->rowSize)
+    if (chunk.rows.size() >= this->chunkPoints * this->rowSize)
     {
       this->write(chunk);
+      stored = piece + 1;
     }
     this->monitor.advance(1);
   }
-  if (!chunk.rows.empty() || this->found.chunks == 0)
+  // Also where only points came that are not finite, or none.
+  if (chunk.head.endPiece > stored || this->found.chunks == 0)
   {
     this->write(chunk);
   }
@@ -129,7 +132,6 @@ void PointStore::add(StreamPiece&& piece, std::int64_t number, Chunk& chunk) con
   chunk.head.endPiece = number + 1;
   std::int64_t first = -1;
   std::int64_t wrong = 0;
-  chunk.rows.reserve(chunk.rows.size() + count * this->rowSize);
   for (std::size_t i = 0; i < count; ++i)
   {
     StoredPoint point{ sum.points + static_cast<std::int64_t>(i), {} };
@@ -159,7 +161,9 @@ void PointStore::add(StreamPiece&& piece, std::int64_t number, Chunk& chunk) con
 void PointStore::write(Chunk& chunk)
 {
   const std::size_t count = chunk.rows.size() / this->rowSize;
-  const std::size_t step = std::clamp(count / LeastSampled, std::size_t(1), SampledOf);
+  // The same share of each chunk, unless there is one alone.
+  const std::size_t size = this->found.chunks > 0 ? this->chunkPoints : count;
+  const std::size_t step = std::clamp(size / LeastSampled, std::size_t(1), SampledOf);
   std::vector<Key> sample;
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -171,32 +175,28 @@ void PointStore::write(Chunk& chunk)
     }
   }
   chunk.head.number = this->found.chunks;
-  this->folder.write(nameOf("input-", chunk.head.number),
-    { { HeadSection, bytesOf(&chunk.head, 1) }, { PointsSection, std::exchange(chunk.rows, {}) },
-      { SampleSection, bytesOf(sample.data(), sample.size()) } });
+  std::map<std::int64_t, std::vector<char>> sections;
+  sections.emplace(HeadSection, bytesOf(&chunk.head, 1));
+  sections.emplace(PointsSection, std::exchange(chunk.rows, {}));
+  sections.emplace(SampleSection, bytesOf(sample.data(), sample.size()));
+  this->folder.write(nameOf("input-", chunk.head.number), sections);
   this->found = chunk.head.found;
   this->found.chunks = chunk.head.number + 1;
 }
 
-void PointStore::deal(std::int64_t blockPoints)
+void PointStore::deal(const std::function<std::int64_t(std::int64_t points)>& blocksFor)
 {
   if (!this->folder.has("counts"))
   {
     // Of all chunks, before the first of them is sorted.
     const std::int64_t kept = this->found.points - this->found.nonFinite;
-    this->found.blocks = std::max<std::int64_t>(1, (kept + blockPoints - 1) / blockPoints);
+    this->found.blocks = blocksFor(kept);
     if (this->found.blocks > std::numeric_limits<int>::max())
     {
       throw Error(ErrorCode::TooManyPoints, -1, kept);
     }
-    std::vector<char> sample;
-    for (std::int64_t chunk = 0; chunk < this->found.chunks; ++chunk)
-    {
-      const std::vector<char> part = this->folder.read(nameOf("input-", chunk), SampleSection);
-      sample.insert(sample.end(), part.begin(), part.end());
-    }
-    this->folder.write("sample", { { 0, std::move(sample) } });
-    this->folder.write("counts", { { 0, bytesOf(&this->found, 1) } });
+    this->writeSample(PointRegions::sampleSize(static_cast<std::size_t>(this->found.blocks)));
+    this->folder.write("counts", bytesOf(&this->found, 1));
   }
   this->monitor.stage(0.1, 0.2, this->found.chunks, "dealing points to blocks");
   const PointRegions regions(
@@ -211,6 +211,32 @@ void PointStore::deal(std::int64_t blockPoints)
     this->dealt.push_back(this->folder.sections(nameOf("dealt-", chunk)));
     this->monitor.advance(1);
   }
+}
+
+/// Of the chunks' samples together as many as are enough, or a few more.
+void PointStore::writeSample(std::size_t enough)
+{
+  const auto partOf = [this](std::int64_t chunk)
+  { return valuesOf<Key>(this->folder.read(nameOf("input-", chunk), SampleSection)); };
+  std::size_t all = 0;
+  for (std::int64_t chunk = 0; chunk < this->found.chunks; ++chunk)
+  {
+    all += partOf(chunk).size();
+  }
+  const std::size_t step = std::max<std::size_t>(1, all / enough);
+  std::vector<Key> sample;
+  std::size_t at = 0;
+  for (std::int64_t chunk = 0; chunk < this->found.chunks; ++chunk)
+  {
+    for (const Key& key : partOf(chunk))
+    {
+      if (at++ % step == 0)
+      {
+        sample.push_back(key);
+      }
+    }
+  }
+  this->folder.write("sample", bytesOf(sample.data(), sample.size()));
 }
 
 void PointStore::dealChunk(std::int64_t number, const PointRegions& regions) const
@@ -332,8 +358,10 @@ void PointStore::storeRecords(std::int64_t block) const
           row + static_cast<std::ptrdiff_t>(this->rowSize));
       }
     });
-  this->folder.write(nameOf("records-", block),
-    { { IdsSection, std::move(ids) }, { RecordsSection, std::move(records) } });
+  std::map<std::int64_t, std::vector<char>> sections;
+  sections.emplace(IdsSection, std::move(ids));
+  sections.emplace(RecordsSection, std::move(records));
+  this->folder.write(nameOf("records-", block), sections);
 }
 
 void PointStore::removeChunks()

@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,14 +35,16 @@ struct StoredCounts
 class PointStore
 {
 public:
-  PointStore(WorkFolder& inFolder, const StreamSettings& chosen, Monitor& ofRun);
+  /// @param memory that decides how large chunks are
+  PointStore(
+    WorkFolder& inFolder, const StreamSettings& chosen, std::int64_t memory, Monitor& ofRun);
 
   /// Store all pieces that are not stored yet.
   void read(std::int64_t pieces, const ReadPiece& readPiece);
 
   /// Sort all chunks by block that are not sorted yet.
-  /// @param blockPoints about so many in each block; an earlier call's number stays
-  void deal(std::int64_t blockPoints);
+  /// @param blocksFor how many blocks so many points are dealt to; an earlier call's number stays
+  void deal(const std::function<std::int64_t(std::int64_t points)>& blocksFor);
 
   /// The points of a block; its records are written to the block's file, where recordsOf() finds
   /// them, if there are any.
@@ -62,6 +65,7 @@ private:
 
   void add(StreamPiece&& piece, std::int64_t number, Chunk& chunk) const;
   void write(Chunk& chunk);
+  void writeSample(std::size_t enough);
   void dealChunk(std::int64_t number, const PointRegions& regions) const;
   PointRegions::Key keyOf(const double* position) const;
   std::size_t countOf(std::int64_t block) const;
@@ -72,6 +76,7 @@ private:
   const StreamSettings& settings;
   Monitor& monitor;
   const std::size_t rowSize; ///< bytes of a point in a file
+  const std::size_t chunkPoints;
   StoredCounts found;
   std::vector<FileSections> dealt; ///< of each chunk
 };

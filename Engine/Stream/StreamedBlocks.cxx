@@ -160,7 +160,7 @@ void StreamedBlocks::summarize()
         if (!this->folder.has(name))
         {
           const BlockRun run(this->settings.shape, this->points.pointsOf(block), this->options);
-          this->folder.write(name, { { 0, run.summary() } });
+          this->folder.write(name, run.summary());
         }
       });
     std::map<std::int64_t, std::vector<char>> sections;
@@ -194,7 +194,7 @@ void StreamedBlocks::begin()
           giveFreeMemoryBack();
         }
       });
-    this->folder.write(RoundFile, { { 0, bytesOf(&this->round, 1) } });
+    this->folder.write(RoundFile, bytesOf(&this->round, 1));
   }
   this->points.removeChunks();
   this->round = valueOf<std::int64_t>(this->folder.read(RoundFile));
@@ -209,7 +209,7 @@ void StreamedBlocks::beginBlock(std::int64_t block)
   this->points.storeRecords(block);
   BlockRun run(this->settings.shape, this->points.pointsOf(block), this->options);
   run.begin(this->summaries, static_cast<int>(block));
-  this->folder.write(nameOf("points-", block), { { 0, run.savePoints() } });
+  this->folder.write(nameOf("points-", block), run.savePoints());
   this->save(run, block, 0);
 }
 
@@ -241,7 +241,7 @@ void StreamedBlocks::save(BlockRun& run, std::int64_t block, std::int64_t ofRoun
   {
     this->folder.write(name, byReceiver(std::move(queries)));
   }
-  this->folder.write(this->stateOf(block, ofRound), { { 0, run.save() } });
+  this->folder.write(this->stateOf(block, ofRound), run.save());
 }
 
 /// Messages of the round before are not needed any longer.
@@ -325,7 +325,7 @@ bool StreamedBlocks::exchange()
       this->save(run, block, this->round + 1);
     });
   ++this->round;
-  this->folder.write(RoundFile, { { 0, bytesOf(&this->round, 1) } });
+  this->folder.write(RoundFile, bytesOf(&this->round, 1));
   this->beginRound(this->round);
   return true;
 }
@@ -377,7 +377,7 @@ std::vector<double> StreamedBlocks::lowestPoint()
           lowest.id = ids[static_cast<std::size_t>(at)];
           std::copy_n(result.positions.data() + 3 * at, 3, lowest.x);
         }
-        this->folder.write(name, { { 0, bytesOf(&lowest, 1) } });
+        this->folder.write(name, bytesOf(&lowest, 1));
       }
     });
   Lowest lowest;
@@ -411,9 +411,10 @@ void StreamedBlocks::take(
     return; // nothing comes after an error
   }
   this->writeFailed = true;
-  callersFunction([&] { write(std::move(streamed)); });
+  // Loops of the caller's must not be given another block, which would wait for the lock.
+  threads::isolated([&] { callersFunction([&] { write(std::move(streamed)); }); });
   this->writeFailed = false;
-  this->folder.write(nameOf("taken-", block), { { 0, bytesOf(&taken, 1) } });
+  this->folder.write(nameOf("taken-", block), bytesOf(&taken, 1));
 }
 
 }

@@ -11,6 +11,7 @@
 #include "Support/Threads.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 
@@ -20,8 +21,11 @@ namespace flipflop
 namespace
 {
 
-/// A block's run takes about so many bytes a point.
-constexpr std::int64_t PointBytes = 600;
+/// A block's run takes about so many bytes a point; and for each other block, whose sample and
+/// patches it has.
+constexpr double PointBytes = 600;
+constexpr double PlaneBlockBytes = 13000;
+constexpr double SpaceBlockBytes = 75000;
 
 constexpr std::int64_t LeastMemory = std::int64_t(1) << 20;
 
@@ -31,8 +35,20 @@ const char* const RunFile = "run";
 /// What a folder is of: the same when a run goes on.
 struct RunKey
 {
-  std::int64_t version = 1;
+  std::int64_t version = 2;
   std::int64_t shape, facets, nonFinite, pieces, recordSize;
+};
+
+/// What decides how points are dealt: as the first call had it.
+struct RunPlan
+{
+  std::int64_t memory, blockPoints, threads;
+};
+
+enum : std::int64_t
+{
+  KeySection,
+  PlanSection
 };
 
 void requireValid(const StreamSettings& settings, std::int64_t pieces)
@@ -55,7 +71,8 @@ void requireValid(const StreamSettings& settings, std::int64_t pieces)
   }
 }
 
-void checkKey(const StreamSettings& settings, std::int64_t pieces, WorkFolder& folder)
+/// @throw Error BadArgument: the folder is of another run
+RunPlan planOf(const StreamSettings& settings, std::int64_t pieces, int threads, WorkFolder& folder)
 {
   RunKey key;
   key.shape = static_cast<std::int64_t>(settings.shape);
@@ -63,17 +80,71 @@ void checkKey(const StreamSettings& settings, std::int64_t pieces, WorkFolder& f
   key.nonFinite = static_cast<std::int64_t>(settings.options.nonFinite);
   key.pieces = pieces;
   key.recordSize = static_cast<std::int64_t>(settings.recordSize);
-  const std::vector<char> bytes = bytesOf(&key, 1);
+  const RunPlan plan{ settings.memory, settings.blockPoints, threads };
   if (!folder.has(RunFile))
   {
     folder.removeFiles(); // of a run that has ended
-    folder.write(RunFile, { { 0, bytes } });
+    folder.write(RunFile, { { KeySection, bytesOf(&key, 1) }, { PlanSection, bytesOf(&plan, 1) } });
   }
-  else if (folder.read(RunFile) != bytes)
+  else if (folder.read(RunFile, KeySection) != bytesOf(&key, 1))
   {
     throw badArgument("the folder has the files of another streamed run: its shape, facets, points "
                       "that are not finite, pieces or records are others");
   }
+  return valueOf<RunPlan>(folder.read(RunFile, PlanSection));
+}
+
+/// How many blocks so many points are dealt to, and what one of them takes.
+class BlockSizes
+{
+public:
+  BlockSizes(const StreamSettings& settings, std::int64_t keptPoints)
+    : points(static_cast<double>(keptPoints))
+    , pointBytes(PointBytes + 2 * static_cast<double>(settings.recordSize))
+    , blockBytes(settings.shape == BlockShape::Hull ? SpaceBlockBytes : PlaneBlockBytes)
+  {
+  }
+
+  double memoryOf(double blocks) const
+  {
+    return this->points / blocks * this->pointBytes + blocks * this->blockBytes;
+  }
+
+  /// As few as memory lets run on so many threads; on fewer threads if it must be.
+  double blocksFor(double memory, std::int64_t threads) const
+  {
+    for (; threads >= 1; --threads)
+    {
+      // memoryOf(blocks) = half * 2
+      const double half = memory / static_cast<double>(threads) / 2;
+      const double root = half * half - this->points * this->pointBytes * this->blockBytes;
+      if (root >= 0)
+      {
+        return this->points * this->pointBytes / (half + std::sqrt(root));
+      }
+    }
+    return std::sqrt(this->points * this->pointBytes / this->blockBytes); // the least memory
+  }
+
+private:
+  const double points;
+  const double pointBytes;
+  const double blockBytes;
+};
+
+std::int64_t blocksOf(const StreamSettings& settings, const RunPlan& plan, std::int64_t points)
+{
+  if (points == 0)
+  {
+    return 1;
+  }
+  if (plan.blockPoints > 0)
+  {
+    return (points - 1) / plan.blockPoints + 1;
+  }
+  const double blocks =
+    BlockSizes(settings, points).blocksFor(static_cast<double>(plan.memory), plan.threads);
+  return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::ceil(blocks)), 1, points);
 }
 
 StreamReport run(const StreamSettings& settings, std::int64_t pieces, const ReadPiece& read,
@@ -83,26 +154,21 @@ StreamReport run(const StreamSettings& settings, std::int64_t pieces, const Read
   Monitor monitor(settings.options);
   monitor.stage(0.0, 0.0, 1);
   WorkFolder folder(settings.folder);
-  checkKey(settings, pieces, folder);
-
-  const std::int64_t pointBytes = PointBytes + 2 * static_cast<std::int64_t>(settings.recordSize);
   const int allowed =
     threadCount(settings.options.threads, std::numeric_limits<std::int64_t>::max());
-  const std::int64_t blockPoints = settings.blockPoints > 0
-    ? settings.blockPoints
-    : std::max<std::int64_t>(1, settings.memory / pointBytes / allowed);
-  PointStore points(folder, settings, monitor);
+  const RunPlan plan = planOf(settings, pieces, allowed, folder);
+  PointStore points(folder, settings, plan.memory, monitor);
   points.read(pieces, read);
   if (!StreamedBlocks::haveBegun(folder))
   {
-    points.deal(blockPoints);
+    points.deal([&](std::int64_t kept) { return blocksOf(settings, plan, kept); });
   }
 
   const StoredCounts& counts = points.counts();
-  const std::int64_t kept = counts.points - counts.nonFinite;
-  const std::int64_t blockMemory = (kept / counts.blocks + 1) * pointBytes;
-  const auto threads =
-    static_cast<int>(std::clamp<std::int64_t>(settings.memory / blockMemory, 1, allowed));
+  const double fit = static_cast<double>(settings.memory) /
+    BlockSizes(settings, counts.points - counts.nonFinite)
+      .memoryOf(static_cast<double>(counts.blocks));
+  const int threads = static_cast<int>(std::clamp(fit, 1.0, static_cast<double>(allowed)));
   StreamReport report;
   report.points = counts.points;
   report.nonFinite = counts.nonFinite;

@@ -36,6 +36,16 @@ bool endsWith(const std::string& name, const std::string& end)
   throw fs::filesystem_error(what, path, std::error_code(number, std::generic_category()));
 }
 
+/// Its machine may have stopped before the system had written it.
+void requireWhole(bool isWhole, const fs::path& path)
+{
+  if (!isWhole)
+  {
+    throw fs::filesystem_error("a file of a streamed run is damaged: remove its folder", path,
+      std::make_error_code(std::errc::io_error));
+  }
+}
+
 std::uint64_t hashOf(const char* bytes, std::size_t size)
 {
   return std::hash<std::string_view>()({ bytes, size });
@@ -172,10 +182,17 @@ void WorkFolder::take(
   file.seekg(static_cast<std::streamoff>(offset));
   if (size > 0 && !file.read(to, static_cast<std::streamsize>(size)))
   {
-    ensure(!file.eof()); // it was longer
+    requireWhole(!file.eof(), from); // it was longer
     fail("cannot read a file", from);
   }
   this->taken += static_cast<std::int64_t>(size);
+}
+
+void WorkFolder::write(const std::string& name, std::vector<char>&& onlySection)
+{
+  std::map<std::int64_t, std::vector<char>> sections;
+  sections.emplace(0, std::move(onlySection));
+  this->write(name, sections);
 }
 
 FileSections WorkFolder::sections(const std::string& name) const
@@ -184,11 +201,12 @@ FileSections WorkFolder::sections(const std::string& name) const
   std::ifstream file = this->open(from);
   Head head;
   this->take(file, from, 0, sizeof(head), reinterpret_cast<char*>(&head));
-  ensure(head.magic == Magic && head.sections <= fs::file_size(from) / sizeof(FileSection));
+  requireWhole(
+    head.magic == Magic && head.sections <= fs::file_size(from) / sizeof(FileSection), from);
   FileSections list(static_cast<std::size_t>(head.sections));
   const std::size_t size = list.size() * sizeof(FileSection);
   this->take(file, from, sizeof(head), size, reinterpret_cast<char*>(list.data()));
-  ensure(head.hash == hashOf(reinterpret_cast<const char*>(list.data()), size));
+  requireWhole(head.hash == hashOf(reinterpret_cast<const char*>(list.data()), size), from);
   return list;
 }
 
@@ -198,7 +216,7 @@ std::vector<char> WorkFolder::read(const std::string& name, const FileSection& s
   std::ifstream file = this->open(from);
   std::vector<char> bytes(static_cast<std::size_t>(section.size));
   this->take(file, from, section.offset, bytes.size(), bytes.data());
-  ensure(section.hash == hashOf(bytes.data(), bytes.size()));
+  requireWhole(section.hash == hashOf(bytes.data(), bytes.size()), from);
   return bytes;
 }
 
@@ -206,7 +224,7 @@ std::vector<char> WorkFolder::read(const std::string& name, std::int64_t key) co
 {
   const FileSections list = this->sections(name);
   const FileSection* const found = sectionOf(list, key);
-  ensure(found);
+  requireWhole(found != nullptr, this->fileOf(name));
   return this->read(name, *found);
 }
 

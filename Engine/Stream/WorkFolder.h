@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Files of a run that may end at any time: each is whole or absent, and what is read is what was
-/// written.
+/// Files of a run whose process may end at any time: each is whole or absent, and what is read is
+/// what was written, apart from single rows.
 #ifndef flipflop_WorkFolder_h
 #define flipflop_WorkFolder_h
 
@@ -48,8 +48,9 @@ public:
 
   /// Write a file, or replace it.
   void write(const std::string& name, const std::map<std::int64_t, std::vector<char>>& sections);
+  void write(const std::string& name, std::vector<char>&& onlySection);
 
-  /// @throw Error Internal for a file that is damaged
+  /// A file that is damaged is an error, too.
   FileSections sections(const std::string& name) const;
   std::vector<char> read(const std::string& name, const FileSection& section) const;
   std::vector<char> read(const std::string& name, std::int64_t key = 0) const;

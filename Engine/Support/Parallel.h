@@ -12,6 +12,7 @@
 ///   each(count, body)          body(i) for each i below count, in no order, several a task
 ///   eachAlone(count, body)     the same, each a task
 ///   invoke(first, second)      both
+///   isolated(body)             body(), which while it waits is given no task of others
 ///   sort(first, last, less)
 ///
 /// Tasks run in the default floating-point environment, if the caller does.

@@ -80,6 +80,12 @@ void invoke(const First& first, const Second& second)
   fork(2, [&](std::size_t task) { task == 0 ? first() : second(); });
 }
 
+template <class Body>
+void isolated(const Body& body)
+{
+  body();
+}
+
 template <class Iterator, class Less>
 void sort(Iterator first, Iterator last, const Less& less)
 {

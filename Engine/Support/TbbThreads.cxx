@@ -149,6 +149,11 @@ void forEachAlone(std::size_t count, const std::function<void(std::size_t)>& bod
   }
 }
 
+void isolate(const std::function<void()>& body)
+{
+  tbb::this_task_arena::isolate(body);
+}
+
 void invokeBoth(const std::function<void()>& first, const std::function<void()>& second)
 {
   if (isAlone())

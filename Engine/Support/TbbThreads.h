@@ -54,6 +54,7 @@ private:
 
 void forEach(std::size_t count, const std::function<void(std::size_t)>& body);
 void forEachAlone(std::size_t count, const std::function<void(std::size_t)>& body);
+void isolate(const std::function<void()>& body);
 void invokeBoth(const std::function<void()>& first, const std::function<void()>& second);
 
 template <class Body>
@@ -66,6 +67,12 @@ template <class Body>
 void eachAlone(std::size_t count, const Body& body)
 {
   forEachAlone(count, std::cref(body));
+}
+
+template <class Body>
+void isolated(const Body& body)
+{
+  isolate(std::cref(body));
 }
 
 template <class First, class Second>

@@ -67,7 +67,8 @@ struct StreamSettings
   std::filesystem::path folder;
 
   /// The bytes that the run may take, about; not among them are a piece and a block's result while
-  /// the caller has them. Points at one position are in one block, however many they are.
+  /// the caller has them. Points at one position are in one block, however many they are. When a
+  /// run goes on, the first call's memory and threads decide its blocks.
   std::int64_t memory = std::int64_t(1) << 30;
 
   /// About how many points a block has; 0: as many as memory lets each thread have.
