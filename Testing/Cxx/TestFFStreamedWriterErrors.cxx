@@ -332,6 +332,26 @@ void testHalfEmptied()
   FF_CHECK(stream.Works("half emptied"));
 }
 
+/// A damaged file of the work folder is named; without the folder, a writing is right.
+void testDamaged()
+{
+  Stream stream(848);
+  stream.Writer->SetNumberOfThreads(1);
+  vtkNew<ProgressObserver> progress;
+  progress->AbortAt = 0.5;
+  const auto observer = stream.Writer->AddObserver(vtkCommand::ProgressEvent, progress);
+  FF_CHECK_EQUAL(stream.Writer->Write(), 0);
+  stream.Writer->RemoveObserver(observer);
+  stream.Writer->SetAbortExecute(0);
+  const fs::path work = stream.Folder.File("a <b>.work");
+  fs::resize_file(work / "run.flipflop", 30);
+  FF_CHECK(stream.Fails(vtkErrorCode::CannotOpenFileError,
+    "; if it is damaged, remove its folder. Write again to go on."));
+  FF_CHECK(stream.Fails(vtkErrorCode::CannotOpenFileError, "run.flipflop cannot be"));
+  fs::remove_all(work);
+  FF_CHECK(stream.Works("damaged"));
+}
+
 /// A later writing of fewer blocks leaves none of the earlier ones, of whatever numbers, nor what
 /// a killed process left of one; and leaves all others' files.
 void testFewerBlocks()
@@ -370,6 +390,7 @@ int TestFFStreamedWriterErrors(int, char*[])
   testFullDisk();
   testAborts();
   testHalfEmptied();
+  testDamaged();
   testFewerBlocks();
   return result();
 }
