@@ -120,7 +120,7 @@ void translateFileErrors(const std::exception_ptr& thrown, void*)
   {
     const int number = error.code().default_error_condition().value();
     const nb::object made =
-      nb::module_::import_("vtkflipflop._errors").attr("of_file")(number, error.path1().string());
+      nb::module_::import_("vtkflipflop._errors").attr("of_file")(number, error.path1());
     PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(made.ptr())), made.ptr());
   }
 }

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from typing import Any
 
@@ -109,6 +110,7 @@ def at_points(text: str, code: str, first: int, count: int) -> InputError:
     return InputError(f"{text}: first at point {first}, {count} such point(s) in all", code, first, count)
 
 
-def of_file(number: int, path: str) -> OSError:
+def of_file(number: int, path: os.PathLike[str]) -> OSError:
     """The exception for a file that the engine could not read or write."""
-    return OSError(number, os.strerror(number), path)
+    advice = ": if it is damaged, remove its folder" if number == errno.EIO else ""
+    return OSError(number, os.strerror(number) + advice, os.fspath(path))
