@@ -163,7 +163,7 @@ def stream(
         )
         made = files.end(found.pop("blocks"))
     names = ("points", "non_finite", "hidden", "cells", "dimension", "volume", "area")
-    return Streamed(made, *(found.pop(name) for name in names), found)
+    return Streamed(files=made, statistics=found, **{name: found.pop(name) for name in names})
 
 
 def _arrays_of(

@@ -107,7 +107,7 @@ using WriteBlock = std::function<void(StreamedBlock&& block)>;
 ///
 /// Pieces are stored in files and dealt to blocks, by regions. Each block is a BlockRun. It waits
 /// in its file while others run, and so do the messages between blocks. Each file is whole or
-/// absent. So a run that was stopped, in whatever way, goes on where its files end, when it is
+/// absent. So a run whose process ended, in whatever way, goes on where its files end, when it is
 /// called again with the same pieces, folder, shape, facets and size of records.
 ///
 /// @param settings the choices
@@ -115,12 +115,9 @@ using WriteBlock = std::function<void(StreamedBlock&& block)>;
 /// @param read     gives the points
 /// @param write    takes the cells
 /// @throw PieceError NonFinite or BadArgument of a piece
-/// @throw Error      BadArgument, TooManyPoints (in one block), OutOfMemory, Aborted; Internal for
-/// a
-///                   file that is damaged
-/// @throw std::filesystem::filesystem_error of a file: a full disk, a folder that may not be
-/// written
-///                   to
+/// @throw Error      BadArgument, TooManyPoints (in one block), OutOfMemory, Aborted
+/// @throw std::filesystem::filesystem_error of a file, which it names: a full disk, no right to
+///                   write, a damaged file
 /// @throw whatever @p read and @p write throw
 StreamReport streamedRun(const StreamSettings& settings, std::int64_t pieces, const ReadPiece& read,
   const WriteBlock& write);
