@@ -11,9 +11,10 @@ if(FLIPFLOP_WHEEL_VTK)
   include(FlipFlopModule)
 
   # VTK's wheels for x86-64 have the C++ library's older ABI; what the helper gives to the module alone is
-  # said to the engines, too.
+  # said to the engines, and to who uses them: paths, and errors of files, are of either.
   if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND NOT APPLE AND NOT WIN32)
     target_compile_definitions(FlipFlopEngineObjects PUBLIC _GLIBCXX_USE_CXX11_ABI=0)
+    target_compile_definitions(FlipFlopEngine PUBLIC _GLIBCXX_USE_CXX11_ABI=0)
   endif()
 
   function(flipflop_build_wheel)
