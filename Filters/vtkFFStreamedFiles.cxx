@@ -265,7 +265,8 @@ void vtkFFWorkFolder::Begin(
   if (!isSame)
   {
     now.resize(1);
-    this->RemoveRun();
+    flipflop::removeStreamedRun(this->Folder);
+    fs::create_directories(this->Folder);
   }
   this->Listed = static_cast<std::int64_t>(now.size()) - 1;
   const auto print = [&](std::ostream& stream)
@@ -296,14 +297,6 @@ std::string vtkFFWorkFolder::HashOf(const flipflop::StreamPiece& piece)
                                     piece.positions.size() * sizeof(double)),
     hashOf(piece.records.data(), piece.records.size()), piece.positions.size() };
   return std::to_string(hashOf(parts, sizeof(parts)));
-}
-
-//------------------------------------------------------------------------------
-void vtkFFWorkFolder::RemoveRun() const
-{
-  fs::remove(this->Folder / "run.flipflop"); // without it, the others are nobody's
-  removeEach(this->Folder,
-    [](const std::string& name) { return name.find(".flipflop") != std::string::npos; });
 }
 
 //------------------------------------------------------------------------------

@@ -96,7 +96,6 @@ public:
 
 private:
   static std::string HashOf(const flipflop::StreamPiece& piece);
-  void RemoveRun() const;
 
   std::filesystem::path Folder;
   std::filesystem::path List; // a line with a hash of the settings, and one of each piece

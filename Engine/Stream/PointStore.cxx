@@ -216,19 +216,23 @@ void PointStore::deal(const std::function<std::int64_t(std::int64_t points)>& bl
 /// Of the chunks' samples together as many as are enough, or a few more.
 void PointStore::writeSample(std::size_t enough)
 {
-  const auto partOf = [this](std::int64_t chunk)
-  { return valuesOf<Key>(this->folder.read(nameOf("input-", chunk), SampleSection)); };
+  std::vector<FileSection> parts;
   std::size_t all = 0;
   for (std::int64_t chunk = 0; chunk < this->found.chunks; ++chunk)
   {
-    all += partOf(chunk).size();
+    const FileSections sections = this->folder.sections(nameOf("input-", chunk));
+    const FileSection* const part = sectionOf(sections, SampleSection);
+    ensure(part);
+    parts.push_back(*part);
+    all += static_cast<std::size_t>(part->size) / sizeof(Key);
   }
   const std::size_t step = std::max<std::size_t>(1, all / enough);
   std::vector<Key> sample;
   std::size_t at = 0;
   for (std::int64_t chunk = 0; chunk < this->found.chunks; ++chunk)
   {
-    for (const Key& key : partOf(chunk))
+    const FileSection& part = parts[static_cast<std::size_t>(chunk)];
+    for (const Key& key : valuesOf<Key>(this->folder.read(nameOf("input-", chunk), part)))
     {
       if (at++ % step == 0)
       {

@@ -33,8 +33,15 @@ void giveFreeMemoryBack()
 #endif
 }
 
-/// The number of the round whose messages are there.
+/// The round whose files are all there, and how many these are, with those of earlier rounds.
+struct RoundMark
+{
+  std::int64_t round, files;
+};
 const char* const RoundFile = "round";
+
+/// Of a block's file. The other sections are its queries, by the block that receives them.
+constexpr std::int64_t StateSection = -1;
 
 /// What a block adds to the report.
 struct Taken
@@ -153,6 +160,7 @@ void StreamedBlocks::summarize()
 {
   if (!this->folder.has("summaries"))
   {
+    requireAll(!haveBegun(this->folder));
     this->stage(0.2, 0.3, "looking at blocks", this->all,
       [this](std::int64_t block)
       {
@@ -194,14 +202,28 @@ void StreamedBlocks::begin()
           giveFreeMemoryBack();
         }
       });
-    this->folder.write(RoundFile, bytesOf(&this->round, 1));
+    this->endRound(0);
   }
   this->points.removeChunks();
-  this->round = valueOf<std::int64_t>(this->folder.read(RoundFile));
+  const auto mark = valueOf<RoundMark>(this->folder.read(RoundFile));
+  this->round = mark.round;
+  std::int64_t files = 0;
   for (std::int64_t number = 0; number <= this->round; ++number)
   {
-    this->beginRound(number);
+    files += this->beginRound(number);
   }
+  requireAll(files == mark.files);
+}
+
+/// Marks that all files of a round are there.
+void StreamedBlocks::endRound(std::int64_t number)
+{
+  RoundMark mark{ number, 0 };
+  for (std::int64_t i = 0; i <= number; ++i)
+  {
+    mark.files += static_cast<std::int64_t>(this->folder.numbered(nameOfRound("block-", i)).size());
+  }
+  this->folder.write(RoundFile, bytesOf(&mark, 1));
 }
 
 void StreamedBlocks::beginBlock(std::int64_t block)
@@ -226,36 +248,34 @@ BlockRun StreamedBlocks::restored(std::int64_t block, Cells cells) const
   {
     if (cells == Cells::All || ofRound == saved.back())
     {
-      messages.push_back(this->folder.read(this->stateOf(block, ofRound)));
+      messages.push_back(this->folder.read(this->stateOf(block, ofRound), StateSection));
     }
   }
   return { this->folder.read(nameOf("points-", block)), messages, this->options, this->summaries };
 }
 
-/// What the block has found in a round, with its queries. The file of the block comes last.
+/// What the block has found in a round, with its queries.
 void StreamedBlocks::save(BlockRun& run, std::int64_t block, std::int64_t ofRound)
 {
-  std::map<int, BlockMessage> queries = run.makeQueries();
-  const std::string name = nameOf(nameOfRound("queries-", ofRound), block);
-  if (!queries.empty())
-  {
-    this->folder.write(name, byReceiver(std::move(queries)));
-  }
-  this->folder.write(this->stateOf(block, ofRound), run.save());
+  auto sections = byReceiver(run.makeQueries());
+  sections.emplace(StateSection, run.save());
+  this->folder.write(this->stateOf(block, ofRound), sections);
 }
 
-/// Messages of the round before are not needed any longer.
-void StreamedBlocks::beginRound(std::int64_t number)
+/// Replies of the round before are not needed any longer.
+/// @return how many blocks were saved after that round
+std::int64_t StreamedBlocks::beginRound(std::int64_t number)
 {
-  for (const auto& file : this->folder.numbered(nameOfRound("block-", number)))
+  const auto states = this->folder.numbered(nameOfRound("block-", number));
+  for (const auto& file : states)
   {
     this->rounds[static_cast<std::size_t>(file.first)].push_back(number);
   }
   if (number > 0)
   {
-    this->folder.removeNumbered(nameOfRound("queries-", number - 1));
     this->folder.removeNumbered(nameOfRound("replies-", number - 1));
   }
+  return static_cast<std::int64_t>(states.size());
 }
 
 /// One round. Returns whether any block had a query.
@@ -265,14 +285,18 @@ bool StreamedBlocks::exchange()
   Files queries;
   std::map<std::int64_t, Numbers> senders; // to each block that receives
   Numbers querying;
-  const std::string queriesOf = nameOfRound("queries-", this->round);
-  for (const auto& file : this->folder.numbered(queriesOf))
+  for (const auto& [block, name] : this->folder.numbered(nameOfRound("block-", this->round)))
   {
-    querying.push_back(file.first);
-    queries[file.first] = this->folder.sections(file.second);
-    for (const FileSection& section : queries[file.first])
+    FileSections sections = this->folder.sections(name);
+    sections.erase(sections.begin()); // the StateSection
+    for (const FileSection& section : sections)
     {
-      senders[section.key].push_back(file.first);
+      senders[section.key].push_back(block);
+    }
+    if (!sections.empty())
+    {
+      querying.push_back(block);
+      queries[block] = std::move(sections);
     }
   }
   if (querying.empty())
@@ -297,8 +321,8 @@ bool StreamedBlocks::exchange()
       std::map<int, BlockMessage> replies;
       for (const std::int64_t sender : senders.at(block))
       {
-        replies[static_cast<int>(sender)] = run.reply(
-          this->folder.read(nameOf(queriesOf, sender), *sectionOf(queries.at(sender), block)));
+        replies[static_cast<int>(sender)] = run.reply(this->folder.read(
+          this->stateOf(sender, this->round), *sectionOf(queries.at(sender), block)));
       }
       this->folder.write(name, byReceiver(std::move(replies)));
     });
@@ -324,8 +348,7 @@ bool StreamedBlocks::exchange()
       }
       this->save(run, block, this->round + 1);
     });
-  ++this->round;
-  this->folder.write(RoundFile, bytesOf(&this->round, 1));
+  this->endRound(++this->round);
   this->beginRound(this->round);
   return true;
 }

@@ -59,7 +59,8 @@ private:
   };
   BlockRun restored(std::int64_t block, Cells cells) const;
   void save(BlockRun& run, std::int64_t block, std::int64_t ofRound);
-  void beginRound(std::int64_t number);
+  void endRound(std::int64_t number);
+  std::int64_t beginRound(std::int64_t number);
 
   WorkFolder& folder;
   PointStore& points;

@@ -147,6 +147,12 @@ std::int64_t blocksOf(const StreamSettings& settings, const RunPlan& plan, std::
   return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::ceil(blocks)), 1, points);
 }
 
+void removeRun(WorkFolder& folder)
+{
+  folder.remove(RunFile);
+  folder.removeAll();
+}
+
 StreamReport run(const StreamSettings& settings, std::int64_t pieces, const ReadPiece& read,
   const WriteBlock& write)
 {
@@ -159,7 +165,11 @@ StreamReport run(const StreamSettings& settings, std::int64_t pieces, const Read
   const RunPlan plan = planOf(settings, pieces, allowed, folder);
   PointStore points(folder, settings, plan.memory, monitor);
   points.read(pieces, read);
-  if (!StreamedBlocks::haveBegun(folder))
+  if (StreamedBlocks::haveBegun(folder))
+  {
+    requireAll(points.counts().blocks > 0);
+  }
+  else
   {
     points.deal([&](std::int64_t kept) { return blocksOf(settings, plan, kept); });
   }
@@ -175,11 +185,24 @@ StreamReport run(const StreamSettings& settings, std::int64_t pieces, const Read
   report.blocks = counts.blocks;
   StreamedBlocks(folder, points, settings, monitor, threads).run(write, report);
   monitor.stage(1.0, 1.0, 1); // the last stop: what comes is not to be done again
-  folder.remove(RunFile);
-  folder.removeAll();
+  removeRun(folder);
   report.bytesWritten = folder.bytesWritten();
   report.bytesRead = folder.bytesRead();
   return report;
+}
+
+/// What @p work returns. Errors of files leave engineCall() as they are.
+template <class Work>
+auto onFiles(const Work& work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const std::filesystem::filesystem_error&)
+  {
+    throw ForeignException{ std::current_exception() };
+  }
 }
 
 }
@@ -187,17 +210,20 @@ StreamReport run(const StreamSettings& settings, std::int64_t pieces, const Read
 StreamReport streamedRun(const StreamSettings& settings, std::int64_t pieces, const ReadPiece& read,
   const WriteBlock& write)
 {
-  return engineCall(
+  return engineCall([&] { return onFiles([&] { return run(settings, pieces, read, write); }); });
+}
+
+void removeStreamedRun(const std::filesystem::path& folder)
+{
+  engineCall(
     [&]
     {
-      try
-      {
-        return run(settings, pieces, read, write);
-      }
-      catch (const std::filesystem::filesystem_error&)
-      {
-        throw ForeignException{ std::current_exception() };
-      }
+      onFiles(
+        [&]
+        {
+          WorkFolder files(folder);
+          removeRun(files);
+        });
     });
 }
 

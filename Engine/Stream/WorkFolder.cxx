@@ -3,7 +3,6 @@
 #include "Stream/WorkFolder.h"
 
 #include "Support/StrictArithmetic.h"
-#include <flipflop/Error.h>
 
 #include <algorithm>
 #include <cerrno>

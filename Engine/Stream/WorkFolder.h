@@ -6,6 +6,8 @@
 #ifndef flipflop_WorkFolder_h
 #define flipflop_WorkFolder_h
 
+#include <flipflop/Error.h>
+
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +35,16 @@ using FileSections = std::vector<FileSection>;
 
 /// The section of that key; null if there is none.
 const FileSection* sectionOf(const FileSections& sections, std::int64_t key);
+
+/// Are all files there that a run goes on with? None goes while it lasts, but by other hands.
+/// @throw Error BadArgument
+inline void requireAll(bool areThere)
+{
+  if (!areThere)
+  {
+    throw badArgument("files of the streamed run are missing in its folder: remove it");
+  }
+}
 
 class WorkFolder
 {

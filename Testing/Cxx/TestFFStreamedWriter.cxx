@@ -87,7 +87,7 @@ void testDimensions()
   }
 }
 
-/// Arrays of all types that VTK's files tell apart, of several components with names, of bits, of
+/// Arrays of all types that VTK's files distinguish, of several components with names, of bits, of
 /// other layouts; attributes; none of it, if it is not to be passed.
 void testPointData()
 {

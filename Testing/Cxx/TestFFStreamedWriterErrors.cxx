@@ -310,16 +310,21 @@ void testAborts()
   }
 }
 
-/// Emptying the work folder fails in its midst: what remains is not taken for a run.
-void testHalfEmptied()
+void stopHalfway(Stream& stream)
 {
-  Stream stream(845);
   vtkNew<ProgressObserver> progress;
   progress->AbortAt = 0.5;
   const auto observer = stream.Writer->AddObserver(vtkCommand::ProgressEvent, progress);
   FF_CHECK_EQUAL(stream.Writer->Write(), 0);
   stream.Writer->RemoveObserver(observer);
   stream.Writer->SetAbortExecute(0);
+}
+
+/// Emptying the work folder fails in its midst: what remains is not taken for a run.
+void testHalfEmptied()
+{
+  Stream stream(845);
+  stopHalfway(stream);
   const fs::path work = stream.Folder.File("a <b>.work");
   FF_CHECK(fs::exists(work / "run.flipflop"));
 
@@ -337,12 +342,7 @@ void testDamaged()
 {
   Stream stream(848);
   stream.Writer->SetNumberOfThreads(1);
-  vtkNew<ProgressObserver> progress;
-  progress->AbortAt = 0.5;
-  const auto observer = stream.Writer->AddObserver(vtkCommand::ProgressEvent, progress);
-  FF_CHECK_EQUAL(stream.Writer->Write(), 0);
-  stream.Writer->RemoveObserver(observer);
-  stream.Writer->SetAbortExecute(0);
+  stopHalfway(stream);
   const fs::path work = stream.Folder.File("a <b>.work");
   fs::resize_file(work / "run.flipflop", 30);
   FF_CHECK(stream.Fails(vtkErrorCode::CannotOpenFileError,

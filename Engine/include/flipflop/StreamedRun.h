@@ -122,6 +122,12 @@ using WriteBlock = std::function<void(StreamedBlock&& block)>;
 StreamReport streamedRun(const StreamSettings& settings, std::int64_t pieces, const ReadPiece& read,
   const WriteBlock& write);
 
+/// Removes the files of a streamed run that is not to go on, and the folder if nothing else is in
+/// it. What is stopped in its midst is no run any longer.
+/// @param folder StreamSettings::folder
+/// @throw std::filesystem::filesystem_error of a file
+void removeStreamedRun(const std::filesystem::path& folder);
+
 }
 
 #endif
