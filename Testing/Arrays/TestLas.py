@@ -79,6 +79,9 @@ def changed(at, values):
         (las(1)[:-1], "ends at byte 489; its 3 points of 30 bytes begin at byte 400"),
         (changed(107, b"\xff" * 4), "its 4294967295 points"),
         (changed(131, struct.pack("<d", np.nan)), "is not finite"),
+        (changed(96, struct.pack("<I", 226)), "says that its points begin at byte 226, and its header has 227 bytes"),
+        (las(6, begin=374).ljust(500), "says that its points begin at byte 374, and its header has 375 bytes"),
+        (changed(131, struct.pack("<d", 1e300)), r"no double holds: the scale is \[1e\+300, 0.5, 0.001\], the offset \[500000.0"),
     ],
 )
 def test_errors(tmp_path, data, words):

@@ -14,9 +14,9 @@ from ._errors import InputError
 from ._results import Floats
 
 _HEADER = np.dtype({
-    "names": ["signature", "minor", "begin", "format", "length", "few", "scale", "offset"],
-    "formats": ["S4", "u1", "<u4", "u1", "<u2", "<u4", "<3f8", "<3f8"],
-    "offsets": [0, 25, 96, 104, 105, 107, 131, 155],
+    "names": ["signature", "minor", "size", "begin", "format", "length", "few", "scale", "offset"],
+    "formats": ["S4", "u1", "<u2", "<u4", "u1", "<u2", "<u4", "<3f8", "<3f8"],
+    "offsets": [0, 25, 94, 96, 104, 105, 107, 131, 155],
     "itemsize": 227,
 })  # fmt: skip
 _MANY_AT = 247  # of LAS 1.4: the number of points, in 8 bytes
@@ -74,6 +74,9 @@ def read_las(path: str | os.PathLike[str]) -> LasPoints:
     used = np.dtype(fields).itemsize
     if length < used:
         raise wrong(f"says that points of format {kind} have {length} bytes; they have {used} or more")
+    of_header = max(int(header["size"]), _MANY_AT + 8 if is_long else _HEADER.itemsize)
+    if count and begin < of_header:
+        raise wrong(f"says that its points begin at byte {begin}, and its header has {of_header} bytes")
     if begin + count * length > size:
         raise wrong(f"ends at byte {size}; its {count} points of {length} bytes begin at byte {begin}")
     if not np.isfinite([header["scale"], header["offset"]]).all():
@@ -84,4 +87,9 @@ def read_las(path: str | os.PathLike[str]) -> LasPoints:
     attributes["return_number"] = numbers & (15 if kind >= 6 else 7)
     if kind < 6:
         attributes["classification"] &= 31  # the others are flags
-    return LasPoints(records["xyz"] * header["scale"] + header["offset"], attributes)
+    with np.errstate(over="ignore"):
+        points = records["xyz"] * header["scale"] + header["offset"]
+    if not np.isfinite(points).all():
+        scale, offset = header["scale"].tolist(), header["offset"].tolist()
+        raise wrong(f"has coordinates that no double holds: the scale is {scale}, the offset {offset}")
+    return LasPoints(points, attributes)
