@@ -1,16 +1,29 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A scan in its convex hull; and points with weights: their regular triangulation, power cells, and the hidden."""
+"""A scan in its convex hull, checked in whole numbers; and points with weights: triangles, power cells, the hidden."""
 
 import numpy as np
-import pyvista as pv
 from _common import BLUE, INK, ORANGE, look, plotter, read, write
 
 from vtkflipflop.pyvista import convex_hull, power_diagram, regular_triangulation
 
-scan = read("spot.vtp")
-hull = convex_hull(scan, facets="polygons")
-print(f"{scan.n_points:,} points of a scan, {hull.n_points} of them corners of their hull")
+figure = read("spot.vtp")
+hull = convex_hull(figure, facets="polygons")
+ids = hull.point_data["vtkOriginalPointIds"]
+assert np.array_equal(figure.points[ids], hull.points)
+
+# Each float is a whole number of 2^-149, and Python's integers round nothing.
+whole = np.vectorize(int, otypes=[object])(figure.points.astype(float) * 2.0**149)
+facets = [ids[face] for face in hull.irregular_faces]
+for facet in facets:
+    a, b, c = whole[facet[:3]]
+    above = (whole - a) @ np.cross(b - a, c - a)
+    assert (above <= 0).all(), "a point lies outside"
+    assert set(ids[above[ids] == 0]) == set(facet), "a facet is not flat, or in pieces"
+
+quads = sum(len(facet) == 4 for facet in facets)
+print(f"{figure.n_points:,} points, {hull.n_points} of them corners of the hull")
+print(f"{len(facets)} facets, {quads} of them with four corners")
 
 # Disks of several sizes: the square of a radius is a weight.
 rng = np.random.default_rng(2013)
@@ -23,10 +36,10 @@ print(f"{triangles.n_cells} triangles and {cells.n_cells} cells of {triangles.n_
 
 scene = plotter(2, (1200, 560))
 dots = {"render_points_as_spheres": True}
-scene.add_points(scan.points, color="#a87a5c", point_size=7, **dots)
+scene.add_points(figure.points, color="#a87a5c", point_size=7, **dots)
 scene.add_mesh(hull, color="#9cc3f2", opacity=0.4, culling="back")
 scene.add_mesh(hull, style="wireframe", color=BLUE, opacity=0.5, culling="back")
-look(scene, (1.0, 0.3, -0.75), (0, 1, 0), f"convex hull: {scan.n_points:,} points, {hull.n_points} corners")
+look(scene, (1.0, 0.3, -0.75), (0, 1, 0), f"convex hull: {figure.n_points:,} points, {hull.n_points} corners")
 scene.subplot(0, 1)
 cells["radius"] = radii[cells["vtkOriginalPointIds"]]
 scene.add_mesh(cells, scalars="radius", cmap="Blues", clim=(-0.02, 0.25), lighting=False)
