@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import scipy.spatial
 
-from vtkflipflop.arrays import InputError, Side, convex_hull, power_diagram, regular_triangulation
+from vtkflipflop.arrays import InputError, OutOfMemoryError, Side, convex_hull, convex_hulls, power_diagram, regular_triangulation
 
 RANDOM = np.random.default_rng(9)
 CUBE = np.array(list(itertools.product((0.0, 2.0), repeat=3)))
@@ -81,7 +81,26 @@ def test_hulls_of_less(points):
     assert set(hull.support(places)) <= ({-1} if not len(points) else set(hull.vertices))
     assert hull.neighbors.shape == hull.simplices.shape
     assert hull.diameter().first == (-1 if not len(points) else min(hull.vertices))
-    assert len(hull.equations) == (len(hull.simplices) if hull.dimension >= 2 or hull.ndim == 2 else 0)
+    assert len(hull.equations) == (len(hull.simplices) if hull.dimension >= hull.ndim - 1 else 0)
+    assert np.isfinite(hull.equations).all()
+
+
+@pytest.mark.parametrize("shape", [[], [[3, 4]], [[3, 4]] * 2, [[0, 0], [6, 8], [3, 4]], [[3, 0], [0, 4], [3, 0]], [[2, 1], [2, 0]]])
+def test_flat_hulls_are_alike_in_the_plane_and_in_space(shape):
+    """The same cells; a hull of one dimension less than its space has its equation and its measure, once."""
+    flat = np.reshape(np.array(shape, float), (-1, 2))
+    plane, space = convex_hull(flat), convex_hull(np.column_stack([flat, np.full(len(flat), 7.0)]))
+    (other,) = convex_hulls(flat, [0, len(flat)])
+    for hull in (plane, other):
+        for name in ("dimension", "vertices", "simplices", "neighbors", "edges", "volume", "certificate"):
+            assert np.array_equal(getattr(hull, name), getattr(space, name)), name
+        assert [ring.tolist() for ring in hull.polygons] == [ring.tolist() for ring in space.polygons]
+        assert np.shape(hull.simplices) == np.shape(space.simplices)
+        assert hull.area == hull.diameter().length == space.diameter().length
+        assert hull.equations.shape == ((1, 3) if hull.dimension == 1 else (0, 3))
+        for *normal, offset in hull.equations:
+            assert np.hypot(*normal) == pytest.approx(1) and normal[::-1] > [0, 0]
+            assert np.allclose(flat @ normal + offset, 0, rtol=0, atol=1e-14)
 
 
 def test_places_at_fault():
@@ -253,7 +272,11 @@ def test_images_that_cannot_be():
         (ValueError, "makes too many pixels", {"spacing": 1e-300}),
         (ValueError, "bounds are a box", {"shape": (2, 2), "bounds": [[0, 0], [1, 0], [0, 1]]}),
         (TypeError, "dtype is float32 or float64, not 'int8'", {"shape": (2, 2), "dtype": "int8"}),
-        (MemoryError, "bad_alloc", {"shape": (2**31, 2**31)}),
+        (OutOfMemoryError, "^out of memory: 9223372036854775807 bytes", {"shape": (2**31, 2**31)}),
+        (OutOfMemoryError, "^out of memory: 9223372036854775807 bytes", {"spacing": 1e-9}),
+        (OutOfMemoryError, r"^out of memory: \d+ bytes", {"shape": (2**24, 2**24)}),
+        (InputError, "^a length of 5e-324 cannot be divided into 2 pixels$", {"shape": (2, 2), "bounds": (0, 5e-324, 0, 1)}),
+        (InputError, "^a length of inf cannot be divided into 3 pixels$", {"shape": (3, 2), "bounds": (0, 1, -1e308, 1e308)}),
     ):
         with pytest.raises(error, match=message):
             triangulation.to_image(range(4), **wrong)

@@ -58,6 +58,7 @@ RESULTS = {
     "prescribed": lambda: prescribed_areas(PLANE[:30], domain=[(0, 0), (2, 0), (1, 2)]),
     "validation": lambda: convex_hull(SPACE).validate(),
     "box": lambda: convex_hull(SPACE).minimal_box(),
+    "image": lambda: regular_triangulation(PLANE).to_image(WEIGHTS, shape=(3, 4)),
     "rings": lambda: regular_triangulation(PLANE).boundary,
 }
 QUESTIONS = {
@@ -96,7 +97,7 @@ def test_copies_are_the_same(name, way):
     other = ways.get(way, lambda: pickle.loads(pickle.dumps(result)))()
     assert type(other) is type(result) and (isinstance(result, tuple) or repr(other) == repr(result))
     assert bits(other) == bits(result)
-    for value in vars(other).values() if hasattr(other, "__dict__") else []:
+    for value in vars(other).values() if hasattr(other, "__dict__") else other:
         assert not isinstance(value, np.ndarray) or not value.flags.writeable
 
 
@@ -213,6 +214,8 @@ def test_the_types_of_results_name_the_call(name, call):
         lambda t: t.alphas,
         lambda t: t.alpha_complex(1),
         lambda t: t.power_diagram(),
+        lambda t: t.__geo_interface__ if hasattr(type(t), "fixed_lines") else t.alphas,
+        lambda t: t.fixed_lines if hasattr(type(t), "fixed_lines") else t.alphas,
     ],
 )
 @pytest.mark.parametrize("constraints", [None, [[0, 1]]])
@@ -228,13 +231,17 @@ def test_points_that_changed(ask, constraints, value):
     except InputError as error:
         assert str(error).startswith("the points have changed since they were given") and error.code == "points_changed"
     else:
-        assert constraints and found is not None
+        assert constraints and value == "other" and found is not None
 
 
 def test_points_of_hulls_that_changed():
     for ndim in (2, 3):
         points = RANDOM.random((50, ndim))
-        hull = convex_hull(points)
+        hull, other = convex_hull(points), convex_hull(points)
         points[:] = RANDOM.random((50, ndim))
         with pytest.raises(InputError, match="the points have changed"):
             hull.polygons
+        points[:] = np.nan
+        for name in ["equations", "min_bound", "max_bound", "certificate"] + ["area"] * (ndim == 2):
+            with pytest.raises(InputError, match="the points have changed"):
+                getattr(other, name)

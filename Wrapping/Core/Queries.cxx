@@ -22,7 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <new>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -85,11 +85,12 @@ auto imageOf(const Sites& self, Interpolation method, const Values& values,
   {
     throw nb::value_error("there are not as many values as points");
   }
-  constexpr std::int64_t most = std::int64_t(1) << 58;
+  constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
   const auto components = static_cast<std::int64_t>(values.shape(1));
-  if (rows < 1 || columns < 1 || components < 1 || columns > most / components / rows)
+  if (rows < 1 || columns < 1 || components < 1 ||
+    columns > most / static_cast<std::int64_t>(sizeof(T)) / components / rows)
   {
-    throw std::bad_alloc();
+    throw Error(ErrorCode::OutOfMemory, -1, most);
   }
   Buffer<T> found(static_cast<std::size_t>(rows * columns * components));
   settings.run(

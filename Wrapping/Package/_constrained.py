@@ -14,7 +14,7 @@ from . import _core
 from ._constraints import Constraints
 from ._errors import InputError
 from ._geometries import multi_line, multi_polygon
-from ._queries import Lengths, changed, unchanged
+from ._queries import Lengths, changed, finite, unchanged
 from ._results import QUIET, Ids, NonFinite, Polygons, Progress, Validation, run
 from ._triangulation import Method, RegularTriangulation
 
@@ -69,7 +69,7 @@ class ConstrainedTriangulation(RegularTriangulation):
 
         Coordinates are three if the points have three. shapely.geometry.shape() takes it.
         """
-        return multi_line(self.points, self.fixed_edges)
+        return multi_line(finite(self.points, self.fixed_edges), self.fixed_edges)
 
     @property
     def __geo_interface__(self) -> dict[str, Any]:
@@ -78,7 +78,8 @@ class ConstrainedTriangulation(RegularTriangulation):
         Each part of the cells that edges connect is a polygon. Below dimension 2 it is empty.
         """
         rings = [] if self.dimension < 2 else [*self.boundary]
-        return multi_polygon(self.points, self.simplices, self.neighbors, rings)
+        points = finite(self.points, self.simplices)
+        return multi_polygon(points, self.simplices, self.neighbors, rings)
 
     @cached_property
     def polygons(self) -> Polygons:

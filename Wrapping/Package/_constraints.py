@@ -17,7 +17,8 @@ from . import _core
 from ._arguments import choice_of
 from ._errors import InputError
 from ._input import ids_of, is_array_like, points_of, refuse_geometry
-from ._results import Floats, Ids, NonFinite, Polygons, Progress, frozen, ignores, run, settings
+from ._results import Floats, Ids, NonFinite, Polygons, Progress, frozen, ignores, refrozen, run, settings
+
 
 class SplitConstraints(NamedTuple):
     """Constraints in pieces that do not cross, for regular_triangulation(split.points, constraints=split).
@@ -45,6 +46,9 @@ class SplitConstraints(NamedTuple):
     constraint_of: Ids
     sides: int
     polygon_of: Ids
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return refrozen, (type(self), *self)
 
 
 PolygonRule = Literal["even-odd", "direction"]

@@ -15,7 +15,7 @@ from . import _core
 from ._device import memory_of
 from ._arguments import numbers_of
 from ._input import ids_of, points_of, whole_points_of
-from ._queries import Lengths, Numbers, Sides, Truths, results_of, changed, unchanged
+from ._queries import Lengths, Numbers, Sides, Truths, changed, finite, results_of, unchanged
 from ._results import (
     QUIET,
     Cells,
@@ -29,6 +29,7 @@ from ._results import (
     Validation,
     frozen,
     ignores,
+    refrozen,
     run,
     settings,
 )
@@ -72,6 +73,9 @@ class OrientedBox(NamedTuple):
     volume: float
     lower_bound: float
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return refrozen, (type(self), *self)
+
 
 class ConvexHull(Cells):
     """The exact convex hull of points in space, or of points in the plane.
@@ -81,7 +85,8 @@ class ConvexHull(Cells):
 
     Of points in space, facets are the triangles `simplices` (counter-clockwise from outside, a fan for each facet of
     more corners) and the true facets `polygons`. Of points in the plane (rows of two), facets are edges,
-    counter-clockwise. Points in space that span less give `dimension` below 3, and one polygon, segment or point.
+    counter-clockwise. Points that span less give a lower `dimension` and, in space and in the plane alike, one polygon,
+    segment or point.
     """
 
     _call: ClassVar[str] = "convex_hull(points)"
@@ -89,14 +94,12 @@ class ConvexHull(Cells):
     @cached_property
     def vertices(self) -> Ids:
         """Ids of the vertices, ascending; of points in the plane, counter-clockwise from the lowest."""
-        if self._planar:
-            return self._ring()
-        return self._core.vertices()
+        return self._ring() if self._is_ring else self._core.vertices()
 
     @cached_property
     def simplices(self) -> Ids:
-        """Facets as rows of ids: of three in space (of two or one, if the points span no more), of two in the plane."""
-        if self._planar:
+        """Facets as rows of ids: of three in space, of two in the plane; of two or one, if the points span no more."""
+        if self._is_ring:
             ring = self.vertices
             return frozen(np.column_stack([ring, np.roll(ring, -1)]))
         return super().simplices
@@ -104,7 +107,7 @@ class ConvexHull(Cells):
     @cached_property
     def neighbors(self) -> Ids:
         """For each vertex of each of `simplices` the facet opposite to it; -1 where there is none."""
-        if self._planar:
+        if self._is_ring:
             edges = np.arange(len(self.vertices))
             return frozen(np.column_stack([np.roll(edges, -1), np.roll(edges, 1)]))
         return super().neighbors
@@ -113,16 +116,17 @@ class ConvexHull(Cells):
     def equations(self) -> Floats:
         """Of each of `simplices` the outward unit normal and the offset: normal . x + offset <= 0 in the hull; rounded.
 
-        Of points in space that span a plane, the plane's own; empty if they span less.
+        Of points in space that span a plane, the plane's own, and of points in the plane that span a line, the line's:
+        the last component of the normal that is not 0 is positive. Empty if points span less.
         """
         if not self._planar:
             with unchanged():
                 return _core.facet_planes(self.points, self._triangles, QUIET)
-        corners = self.points[self.vertices].astype(np.float64)
-        steps = np.roll(corners, -1, axis=0) - corners
-        with np.errstate(invalid="ignore"):  # of a single point
-            normals = np.column_stack([steps[:, 1], -steps[:, 0]]) / np.hypot(steps[:, 0], steps[:, 1])[:, None]
-        return frozen(np.column_stack([normals, -(normals * corners).sum(axis=1)]))
+        begins, steps = self._sides
+        normals = np.column_stack([steps[:, 1], -steps[:, 0]]) / np.hypot(steps[:, 0], steps[:, 1])[:, None]
+        if self.dimension == 1 and (normals[0, 1], normals[0, 0]) < (0, 0):
+            normals = -normals
+        return frozen(np.column_stack([normals, -(normals * begins).sum(axis=1)]))
 
     @cached_property
     def polygons(self) -> Polygons:
@@ -162,10 +166,9 @@ class ConvexHull(Cells):
 
     @cached_property
     def area(self) -> float:
-        """Of the surface (of the polygon once, if the points span a plane); of points in the plane, the perimeter."""
+        """Of the surface; of points in the plane, the perimeter. If points span a dimension less, of the facet, once."""
         if self._planar:
-            corners = self.points[self.vertices].astype(np.float64)
-            steps = corners - np.roll(corners, -1, axis=0)
+            steps = self._sides[1]
             return float(np.hypot(steps[:, 0], steps[:, 1]).sum())
         return self._core.area
 
@@ -261,6 +264,17 @@ class ConvexHull(Cells):
     def _planar(self) -> bool:
         return self.points.shape[1] == 2
 
+    @property
+    def _is_ring(self) -> bool:
+        return self._planar and self.dimension == 2
+
+    @property
+    def _sides(self) -> tuple[Floats, Floats]:
+        """Where each of `simplices` in the plane begins, and from there to its end."""
+        sides = self.simplices if self.dimension > 0 else np.empty((0, 2), np.int64)
+        ends = finite(self.points, sides)[sides].astype(np.float64)
+        return ends[:, 0], ends[:, 1] - ends[:, 0]
+
     @cached_property
     def _queries(self) -> Any:
         with unchanged():
@@ -282,7 +296,8 @@ class ConvexHull(Cells):
     def _corners(self) -> NDArray[Any]:
         if self.dimension < 0:
             return np.full((1, self.ndim), np.nan)
-        return self.points[self._core.vertices()].astype(np.float64)
+        ids = self._core.vertices()
+        return finite(self.points, ids)[ids].astype(np.float64)
 
 
 def convex_hull(

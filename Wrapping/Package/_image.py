@@ -15,6 +15,7 @@ from ._arguments import numbers_of
 from ._domain import domain_of
 from ._errors import InputError
 from ._input import values_of
+from ._results import refrozen
 
 Method = Literal["linear", "natural", "clough-tocher"]
 METHODS: tuple[str, ...] = get_args(Method)
@@ -36,6 +37,9 @@ class Image(NamedTuple):
 
     array: NDArray[Any]
     transform: Transform
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return refrozen, (type(self), *self)
 
     @property
     def x(self) -> NDArray[np.float64]:
@@ -75,10 +79,13 @@ def grid_of(
     lengths = right - left, top - bottom
     if shape is not None:
         rows, columns = (_count_of(number) for number in _pair_of(shape))
-        steps = lengths[0] / columns, lengths[1] / rows
-        if not min(steps) > 0:
+        if not min(lengths) > 0:
             sentence = "the points are on a line along x or y, so their box has no inside: give bounds"
             raise InputError(sentence, "bad_argument")
+        steps = lengths[0] / columns, lengths[1] / rows
+        for length, step, count in zip(lengths, steps, (columns, rows)):
+            if not 0 < step < math.inf:
+                raise InputError(f"a length of {length} cannot be divided into {count} pixels", "bad_argument")
     else:
         steps = numbers_of("spacing", np.broadcast_to(spacing, 2) if np.ndim(spacing) == 0 else spacing, 2)
         if not min(steps) > 0:

@@ -26,6 +26,8 @@ Numbers = np.int64 | Ids
 _MISFITS = (
     "an argument is invalid",
     "the triangulation must be one of these points",
+    "the hull must be one",
+    "a hull's points must be finite",
     "the box's bounds must be finite",
 )
 
@@ -84,6 +86,14 @@ def unchanged() -> Iterator[None]:
         if error.code != "non_finite" and not str(error).startswith(_MISFITS):
             raise
         raise changed(error.index) from None
+
+
+def finite(points: NDArray[Any], ids: Ids) -> NDArray[Any]:
+    """A result's own points, of which these are finite in x and y: else they have changed."""
+    wrong = ~np.isfinite(points[ids.reshape(-1), :2]).all(axis=1)
+    if wrong.any():
+        raise changed(int(ids.flat[int(wrong.argmax())]))
+    return points
 
 
 def changed(index: int = -1) -> InputError:

@@ -163,6 +163,14 @@ class Cells(Frozen):
         # The engine returns, for each corner, the cell across the edge to the next one; of segments, the cell at it.
         return frozen(np.roll(across, 2 if self.simplices.shape[1] == 3 else 1, axis=1))
 
+    @cached_property
+    def edges(self) -> Ids:
+        """The edges of `simplices`, each once, as ids, the lower one first; in lexicographic order.
+
+        These have the diagonals that divide facets of more corners.
+        """
+        return edges_of(self.simplices)
+
     @property
     def nsimplex(self) -> int:
         """How many `simplices` there are."""
@@ -202,6 +210,24 @@ def frozen(array: NDArray[Any]) -> NDArray[Any]:
     """The array, which nobody can change any more."""
     array.flags.writeable = False
     return array
+
+
+def refrozen(kind: type[Any], *fields: Any) -> Any:
+    """A copy of a result that is a named tuple: its arrays are read-only, too."""
+    for field in fields:
+        if isinstance(field, np.ndarray):
+            frozen(field)
+    return kind(*fields)
+
+
+def edges_of(simplices: Ids) -> Ids:
+    """Each edge of simplices once, as ids, the lower one first; in lexicographic order."""
+    corners = simplices.shape[1]
+    pairs = [simplices[:, [i, j]] for i in range(corners) for j in range(i + 1, corners)]
+    ends = np.sort(np.concatenate([np.empty((0, 2), np.int64), *pairs]), axis=1).astype(np.uint64)
+    most = np.uint64(1 + ends.max(initial=0))  # less than 2^32
+    keys = np.unique(ends[:, 0] * most + ends[:, 1])
+    return frozen(np.column_stack([keys // most, keys % most]).astype(np.int64))
 
 
 def settings(
