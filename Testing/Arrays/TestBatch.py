@@ -87,6 +87,46 @@ def test_offsets_at_fault():
         convex_hulls(POINTS[:20], [0, 5], errors="ignore")
 
 
+def test_an_array_for_each_set():
+    begins = OFFSETS[:-1]
+    sets, weights = [np.split(array, begins[1:]) for array in (POINTS, WEIGHTS)]
+    sets[0], weights[0], sets[1] = sets[0].tolist(), weights[0].tolist(), np.asfortranarray(sets[1])
+    for keywords in ({}, {"weights": WEIGHTS}):
+        whole = regular_triangulations(POINTS, OFFSETS, **keywords)
+        apart = regular_triangulations(sets, **{name: weights for name in keywords})
+        assert np.array_equal(apart.points, POINTS) and np.array_equal(apart.offsets, OFFSETS)
+        assert all(one.simplices.tobytes() == other.simplices.tobytes() for one, other in zip(whole, apart))
+    hulls = convex_hulls(tuple(sets))
+    assert np.array_equal(hulls.volumes, convex_hulls(POINTS, OFFSETS).volumes) and not hulls.offsets.flags.writeable
+    cubes = RANDOM.random((5, 20, 3))
+    assert np.array_equal(convex_hulls(cubes).volumes, [convex_hull(cube).volume for cube in cubes])
+    assert np.array_equal(regular_triangulations(cubes, weights=cubes[:, :, 0])[4].points, cubes[4])
+    flat = convex_hulls([[], [[0, 0], [4, 0], [0, 3.0]], np.float32([[1, 1]])])
+    assert (flat.areas.tolist(), flat.points.dtype, flat.points.shape) == ([0, 12, 0], float, (4, 2))
+    assert len(convex_hulls([])) == len(regular_triangulations([], weights=[])) == 0
+    masked = np.ma.masked_less(cubes, 0.1)
+    kept = [cube[~mask.any(axis=1)] for cube, mask in zip(cubes, masked.mask)]
+    assert np.array_equal(convex_hulls(list(masked)).volumes, convex_hulls(kept).volumes)
+
+
+@pytest.mark.parametrize(
+    "error, words, sets, keywords",
+    [
+        (TypeError, "those of all sets in one array take offsets", POINTS, {}),
+        (TypeError, "a sequence of arrays, one for each set", iter([POINTS]), {}),
+        (ValueError, r"set 0: points are an array of n by 3 or n by 2 .* not of shape \(3,\)", [[1, 2, 3]], {}),
+        (InputError, "set 2: points have 2 coordinates, and 3 in set 1", [[], POINTS, POINTS[:, :2]], {}),
+        (InputError, "set 1: .* first at point 0, 9 such", [np.ma.masked_less(POINTS[:9], 0.2), POINTS[:9] * np.nan], {}),
+        (TypeError, "set 1: coordinates are real numbers", [POINTS, [["a", "b"]]], {}),
+        (ValueError, "weights are a sequence of arrays, one for each of 2 sets", [POINTS[:5]] * 2, {"weights": WEIGHTS[:10]}),
+        (InputError, "set 1: there are not as many weights as points: 5 points, 4", [POINTS[:5]] * 2, {"weights": [WEIGHTS[:5], WEIGHTS[:4]]}),
+    ],
+)  # fmt: skip
+def test_sets_at_fault(error, words, sets, keywords):
+    with pytest.raises(error, match=words):
+        (regular_triangulations if keywords else convex_hulls)(sets, **keywords)
+
+
 @pytest.mark.parametrize("offsets", [[], [0]])
 def test_no_set(offsets):
     assert len(convex_hulls(POINTS[:0], offsets)) == 0

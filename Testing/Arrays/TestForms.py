@@ -113,6 +113,16 @@ def test_masked_points_are_left_out(layer, name):
             assert np.array_equal(corners(function(POINTS, case)), corners(function(POINTS[~absent], WEIGHTS[~absent])))
 
 
+def test_what_is_masked_excuses_nothing_else(layer):
+    points = np.array([[0, 0], [4, 0], [0, 4], [np.nan, 1]])
+    masked = np.ma.array(np.ones(4), mask=[1, 0, 0, 0])
+    for given in ((points, masked), (np.ma.array(np.eye(4, 2), mask=np.eye(4, 2)), [0, 0, 0, np.nan])):
+        with pytest.raises(InputError, match=r"NaN or infinite: first at point 3, 1 such"):
+            layer.regular_triangulation(*given)
+        with pytest.raises(InputError, match=r"NaN or infinite: first at point 3, 1 such"):
+            layer.terrain_mesh(*given, tolerance=1)
+
+
 def test_what_is_masked_may_be_anything(layer):
     masked = np.ma.array([[np.nan, 2, 3], [4, np.inf, 6], [0, 0, 0]], mask=[[1, 0, 0], [0, 1, 0], [0, 0, 0]])
     assert ids(layer.convex_hull(masked)).tolist() == [2]

@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkflipflop.arrays.regular_triangulation and power_diagram: what they promise, beside scipy."""
 
+import itertools
+
 import numpy as np
 import pytest
 import scipy.spatial
 
-from vtkflipflop.arrays import InputError, power_diagram, regular_triangulation, validate
+from vtkflipflop.arrays import InputError, convex_hull, power_diagram, regular_triangulation, terrain_mesh, validate
 
 RANDOM = np.random.default_rng(4)
 GRID = np.stack(np.meshgrid(np.arange(5), np.arange(4), indexing="ij"), -1).reshape(-1, 2)
@@ -61,6 +63,21 @@ def test_every_dimension():
         ours = regular_triangulation(points)
         assert (ours.dimension, ours.simplices.shape) == (dimension, shape)
         assert validate(ours)
+
+
+@pytest.mark.parametrize("make", [
+    lambda points: regular_triangulation(points, RANDOM.random(len(points)) / 9),
+    lambda points: regular_triangulation(points, constraints=[[0, 3]] if len(points) > 3 else []),
+    lambda points: terrain_mesh(points, RANDOM.random(len(points)), tolerance=0.3),
+    convex_hull,
+    lambda points: convex_hull(np.column_stack([points, (points**2).sum(axis=1)])),
+])  # fmt: skip
+def test_edges(make):
+    for points in (GRID, RANDOM.random((300, 2)), GRID[:5], GRID[:1], GRID[:0]):
+        ours = make(points)
+        pairs = {tuple(sorted(pair)) for cell in ours.simplices.tolist() for pair in itertools.combinations(cell, 2)}
+        assert ours.edges.shape == (len(pairs), 2) and ours.edges.dtype == np.int64 and not ours.edges.flags.writeable
+        assert list(map(tuple, ours.edges.tolist())) == sorted(pairs)
 
 
 def test_power_diagram():

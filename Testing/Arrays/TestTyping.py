@@ -23,7 +23,7 @@ from vtkflipflop.arrays import ConvexHull, Diameter, HullBatch, InputError, Orie
 from vtkflipflop.arrays import Validation, convex_hull, convex_hulls, convexify, power_diagram, regular_triangulation
 from vtkflipflop.arrays import AlphaComplex, ConstrainedTriangulation, TerrainMesh, alpha_complex, terrain_mesh, validate
 from pathlib import Path
-from vtkflipflop.arrays import Streamed, constrained_triangulation, stream
+from vtkflipflop.arrays import Streamed, TriangulationBatch, regular_triangulations, constrained_triangulation, stream
 
 hull = convex_hull([[0.0, 0, 0]], threads=2, progress=print)
 assert_type(hull, ConvexHull)
@@ -52,6 +52,9 @@ assert_type(batch, HullBatch)
 assert_type(batch[0], ConvexHull)
 assert_type(batch[1:], list[ConvexHull])
 assert_type(batch.volumes, NDArray[np.float64])
+assert_type(convex_hulls([np.zeros((4, 3)), np.zeros((0, 3))]), HullBatch)
+assert_type(regular_triangulations([np.zeros((4, 2))], weights=[np.zeros(4)]), TriangulationBatch)
+assert_type(hull.edges, NDArray[np.int64])
 triangulation = regular_triangulation(np.zeros((4, 2)), np.zeros(4))
 assert_type(triangulation, RegularTriangulation)
 assert_type(triangulation.hidden, NDArray[np.int64])

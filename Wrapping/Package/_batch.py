@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._errors import FlipFlopError, InputError, of_engine
+from ._errors import FlipFlopError, InputError, of_engine, of_part
 from ._hull import ConvexHull
-from ._input import ids_of, points_of, weights_of
+from ._input import ids_of, is_array_like, points_and_weights_of, refuse_non_finite
 from ._results import Facets, Floats, Frozen, Ids, NonFinite, Progress, frozen, ignores, run, settings
 from ._triangulation import RegularTriangulation
 
@@ -114,8 +114,8 @@ class TriangulationBatch(_Batch[RegularTriangulation]):
 
 
 def convex_hulls(
-    points: ArrayLike,
-    offsets: ArrayLike,
+    points: ArrayLike | Sequence[ArrayLike],
+    offsets: ArrayLike | None = None,
     *,
     errors: Errors = "raise",
     facets: Facets = "triangles",
@@ -127,9 +127,9 @@ def convex_hulls(
 
     Parameters
     ----------
-    points : n by 3, or n by 2
-        the points of all sets, one set after another
-    offsets : m + 1 integers
+    points : n by 3, or n by 2; or a sequence of such arrays
+        the points of all sets, one set after another; or, without offsets, an array for each set, which are copied
+    offsets : m + 1 integers, optional
         set i has the points from offsets[i] up to offsets[i + 1]; ascending from 0 to n, so each point is in a set
     errors : {"raise", "keep"}
         what a set at fault leads to: an exception that names it, or an entry in the result's `errors`
@@ -137,17 +137,16 @@ def convex_hulls(
         as for convex_hull()
     """
     _check_errors(errors)
-    array, left_out = points_of(points, ignores(non_finite))
-    starts = _offsets_of(offsets, len(array))
+    array, _, starts, left_out = _sets_of(points, None, offsets, ignores(non_finite), 3)
     chosen = settings(threads, facets, non_finite, "cpu", progress, left_out)
     core = run(chosen, _core.convex_hulls, array, starts)
     return HullBatch._made(core, array, starts, left_out, errors)
 
 
 def regular_triangulations(
-    points: ArrayLike,
-    offsets: ArrayLike,
-    weights: ArrayLike | None = None,
+    points: ArrayLike | Sequence[ArrayLike],
+    offsets: ArrayLike | None = None,
+    weights: ArrayLike | Sequence[ArrayLike] | None = None,
     *,
     errors: Errors = "raise",
     facets: Facets = "triangles",
@@ -160,21 +159,52 @@ def regular_triangulations(
     Parameters
     ----------
     weights : n numbers, optional
-        one for each point
+        one for each point; without offsets, an array for each set
     points, offsets, errors, facets, threads, non_finite, progress
         as for convex_hulls()
     """
     _check_errors(errors)
-    ignore = ignores(non_finite)
-    array, left_out = points_of(points, ignore)
-    weight_array = None
-    if weights is not None:
-        weight_array, masked = weights_of(weights, ignore)
-        left_out = left_out or masked
-    starts = _offsets_of(offsets, len(array))
+    array, weight_array, starts, left_out = _sets_of(points, weights, offsets, ignores(non_finite), 2)
     chosen = settings(threads, facets, non_finite, "cpu", progress, left_out)
     core = run(chosen, _core.regular_triangulations, array, starts, weight_array)
     return TriangulationBatch._made(core, array, starts, left_out, errors, weights=weight_array)
+
+
+def _sets_of(
+    points: Any, weights: Any, offsets: Any, ignore: bool, columns: int
+) -> tuple[NDArray[Any], NDArray[Any] | None, Ids, bool]:
+    """Points, weights and offsets of all sets, and whether points that are not finite are left out.
+
+    columns: so many coordinates count
+    """
+    if offsets is not None:
+        array, weight_array, left_out = points_and_weights_of(points, weights, ignore)
+        return array, weight_array, _offsets_of(offsets, len(array)), left_out
+    if not is_array_like(points) or getattr(points, "ndim", 3) in (0, 2):
+        sentence = "points are a sequence of arrays, one for each set; those of all sets in one array take offsets"
+        raise TypeError(sentence)
+    if weights is not None and (not is_array_like(weights) or len(weights) != len(points)):
+        raise ValueError(f"without offsets, weights are a sequence of arrays, one for each of {len(points)} sets")
+    parts = []
+    for i, both in enumerate(zip(points, [None] * len(points) if weights is None else weights)):
+        with of_part(f"set {i}"):
+            parts.append(points_and_weights_of(*both, ignore))
+    left_out = any(part[2] for part in parts)
+    if left_out and not ignore:
+        for i, (one, own, has_masked) in enumerate(parts):
+            with of_part(f"set {i}"):
+                refuse_non_finite(one[:, :columns], own, has_masked)
+    filled = [(i, part[0]) for i, part in enumerate(parts) if len(part[0])]
+    for i, one in filled:
+        first, other = filled[0]
+        if one.shape[1] != other.shape[1]:
+            sentence = f"set {i}: points have {one.shape[1]} coordinates, and {other.shape[1]} in set {first}"
+            raise InputError(sentence, "bad_argument", i)
+    array = np.concatenate([one for _, one in filled] or [np.empty((0, 3))])
+    weight_array = None
+    if weights is not None:
+        weight_array = np.concatenate([np.empty(0, np.float32), *(part[1] for part in parts if part[1] is not None)])
+    return array, weight_array, frozen(np.cumsum([0, *(len(part[0]) for part in parts)])), left_out
 
 
 def _offsets_of(values: ArrayLike, points: int) -> Ids:

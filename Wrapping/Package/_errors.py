@@ -6,6 +6,8 @@ from __future__ import annotations
 
 import errno
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 
@@ -108,6 +110,17 @@ def of_engine(code: int, text: str, index: int, count: int) -> FlipFlopError:
 def at_points(text: str, code: str, first: int, count: int) -> InputError:
     """The exception for so many points at fault."""
     return InputError(f"{text}: first at point {first}, {count} such point(s) in all", code, first, count)
+
+
+@contextmanager
+def of_part(name: str) -> Iterator[None]:
+    """Errors of what a part of the input has begin with its name."""
+    try:
+        yield
+    except FlipFlopError as error:
+        raise type(error)(f"{name}: {error}", error.code, error.index, error.count) from None
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"{name}: {error}") from None
 
 
 def of_file(number: int, path: os.PathLike[str]) -> OSError:

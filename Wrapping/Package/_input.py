@@ -18,6 +18,7 @@ from ._errors import InputError, at_points
 
 _FLOATS = (np.dtype(np.float32), np.dtype(np.float64))
 _PLAIN = (np.ndarray, HostCopy)
+_NON_FINITE = "a coordinate or weight is NaN or infinite"
 
 
 def points_of(values: Any, ignore: bool) -> tuple[np.ndarray, bool]:
@@ -56,6 +57,35 @@ def rows_of(values: Any) -> np.ndarray:
 def weights_of(values: Any, ignore: bool) -> tuple[np.ndarray, bool]:
     """n weights, in the way of points_of()."""
     return column_of(values, "weight", ignore)
+
+
+def points_and_weights_of(points: Any, weights: Any, ignore: bool) -> tuple[np.ndarray, np.ndarray | None, bool]:
+    """points_of() and weights_of() of a triangulation, as many; and whether points that are not finite are left out."""
+    array, left_out = points_of(points, ignore)
+    if weights is None:
+        return array, None, left_out
+    weight_array, masked = weights_of(weights, ignore)
+    if len(array) != len(weight_array):
+        sentence = f"there are not as many weights as points: {len(array)} points, {len(weight_array)} weights"
+        raise InputError(sentence, "weight_count", len(array), len(weight_array))
+    return array, weight_array, either_left_out(array, left_out, weight_array, masked)
+
+
+def either_left_out(array: np.ndarray, left_out: bool, column: np.ndarray, masked: bool) -> bool:
+    """Whether points that are not finite are left out.
+
+    An error if points or their column have masked entries, and the other is not finite: the engine would leave that out, too.
+    """
+    if left_out != masked:
+        refuse_non_finite(array[:, :2] if masked else column)
+    return left_out or masked
+
+
+def refuse_non_finite(array: np.ndarray, weights: np.ndarray | None = None, left_out: bool = False) -> None:
+    """An error that names the first point that is not finite, or whose weight is not, unless these are left out."""
+    if not left_out:
+        wrong = ~np.isfinite(array)
+        refuse(wrong if weights is None else wrong.any(axis=1) | ~np.isfinite(weights), _NON_FINITE, "non_finite")
 
 
 def column_of(values: Any, what: str, ignore: bool) -> tuple[np.ndarray, bool]:
@@ -231,7 +261,7 @@ def _exact(array: np.ndarray, what: str, ignore: bool) -> tuple[np.ndarray, bool
     if masked:
         if not ignore:
             # The engine is about to ignore all, so what is not masked is looked at here.
-            refuse(~np.isfinite(numbers) & ~mask, "a coordinate or weight is NaN or infinite", "non_finite")
+            refuse(~np.isfinite(numbers) & ~mask, _NON_FINITE, "non_finite")
         numbers[mask] = np.nan
     return numbers, masked
 
@@ -268,6 +298,6 @@ def _as_double(value: Any) -> float | None:
 
 def refuse(wrong: np.ndarray, sentence: str, code: str) -> None:
     """Raises an error if any is wrong, in the words of the engine's."""
-    points = wrong.reshape(len(wrong), -1).any(axis=1)
+    points = wrong.any(axis=1) if wrong.ndim > 1 else wrong
     if points.any():
         raise at_points(sentence, code, int(points.argmax()), int(points.sum()))

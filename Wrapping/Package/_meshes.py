@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from ._arguments import Weights
 from ._errors import FlipFlopError, InputError
-from ._input import column_of, is_array_like, points_of, refuse_geometry, rows_of, weights_of
+from ._input import column_of, either_left_out, is_array_like, points_of, refuse_geometry, rows_of, weights_of
 from ._results import Ids
 
 _OBJECT = next(kind for kind in pv.PolyData.__mro__ if kind.__name__ == "vtkObjectBase")
@@ -270,14 +270,15 @@ class Cloud:
             weight_array, masked = column_of(values, noun, ignore)
         except InputError as error:
             raise self._translated(error, None) from None
-        self.left_out = self.left_out or masked
         if len(weight_array) != self._starts[-1]:
             raise InputError(
                 f"there are {len(weight_array)} {noun}s, which is not the number of points, {self._starts[-1]}",
                 "weight_count", -1, len(weight_array),
             )
+        kept = weight_array if self._kept is None else weight_array[self._kept]
         try:
-            return weights.computed(weight_array if self._kept is None else weight_array[self._kept])
+            self.left_out = either_left_out(self.array, self.left_out, kept, masked)
+            return weights.computed(kept)
         except InputError as error:
             raise self._translated(error, self._kept) from None
 

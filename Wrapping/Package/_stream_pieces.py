@@ -7,8 +7,7 @@ stores them.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,8 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._errors import FlipFlopError, InputError
-from ._input import points_of, refuse, refuse_masked, weights_of
+from ._errors import InputError, of_part
+from ._input import points_and_weights_of, refuse_masked, refuse_non_finite
 from ._las import LasPoints, read_las
 
 # What block files have of their own.
@@ -128,7 +127,7 @@ class Pieces:
     def __call__(self, number: int) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
         """The piece, as the engine stores it."""
         piece = self._known.pop(number, None) or self._read(number)
-        with _named(number):
+        with of_part(f"piece {number}"):
             if len(piece.points) == 0:
                 return np.empty((0, 3)), np.empty(0, np.uint8)
             self.form.check(piece)
@@ -142,7 +141,7 @@ class Pieces:
         except Exception as error:
             error.add_note(f"This is of piece {number} of {len(self._pieces)}.")
             raise
-        with _named(number):
+        with of_part(f"piece {number}"):
             return self._piece_of(given)
 
     def _piece_of(self, given: Any) -> Piece:
@@ -151,31 +150,22 @@ class Pieces:
         fields = dict(given) if isinstance(given, Mapping) else {"points": given}
         if "points" not in fields:
             raise _wrong(f"there are no 'points' among {', '.join(map(repr, fields)) or 'no arrays'}")
-        points, left_out = points_of(fields.pop("points"), self._ignore)
+        given_weights = fields.pop("weights", None) if self._kind == "regular" else None
+        points, weights, left_out = points_and_weights_of(fields.pop("points"), given_weights, self._ignore)
         if self._kind == "hull" and points.shape[1] == 2 and len(points):
             raise _wrong("a hull of pieces is of points of three coordinates, not of two")
-        weights = None
-        if self._kind == "regular" and ("weights" in fields or len(points)):
-            if "weights" not in fields:
-                raise _wrong("there are no 'weights', which kind='regular' needs; without them, take kind='delaunay'")
-            weights, masked = weights_of(fields.pop("weights"), self._ignore)
-            left_out = left_out or masked
-            if len(weights) != len(points):
-                text = f"there are not as many weights as points: {len(points)} points, {len(weights)} weights"
-                raise InputError(text, "weight_count", len(points), len(weights))
-        elif "weights" in fields:
+        if self._kind == "regular" and weights is None and len(points):
+            raise _wrong("there are no 'weights', which kind='regular' needs; without them, take kind='delaunay'")
+        if "weights" in fields:
             raise _wrong(f"there are 'weights', which kind={self._kind!r} does not know: take kind='regular'")
-        if len(points) and not left_out:
-            read = points if self._kind == "hull" else points[:, :2]
-            wrong = ~np.isfinite(read).all(axis=1)
-            wrong = wrong if weights is None else wrong | ~np.isfinite(weights)
-            refuse(wrong, "a coordinate or weight is NaN or infinite", "non_finite")
+        refuse_non_finite(points if self._kind == "hull" else points[:, :2], weights, left_out)
         return Piece(points, weights, {name: _attribute(name, one, len(points)) for name, one in fields.items()})
 
 
 def _attribute(name: Any, values: Any, count: int) -> NDArray[Any]:
-    if not isinstance(name, str) or not name or name in RESERVED:
-        raise _wrong(f"an attribute's name is text, and none of {', '.join(RESERVED)}; it is {name!r}")
+    if not _is_entry(name) or name in RESERVED:
+        own = ", ".join(RESERVED)
+        raise _wrong(f"an attribute's name is text, and none of {own}, and has no .npy at its end; it is {name!r}")
     refuse_masked(values, f"attribute {name!r}")
     array = np.asarray(values)
     if array.dtype.hasobject:
@@ -183,6 +173,12 @@ def _attribute(name: Any, values: Any, count: int) -> NDArray[Any]:
     if array.ndim == 0 or len(array) != count:
         raise _wrong(f"attribute {name!r} has a value for each of {count} points, and not the shape {array.shape}")
     return array
+
+
+def _is_entry(name: Any) -> bool:
+    """Whether a file has an array by this name, and no other: numpy.load() takes a name with .npy for one without."""
+    is_name = isinstance(name, str) and name != "" and "\0" not in name and not name.endswith(".npy")
+    return is_name and name.encode(errors="ignore").decode() == name  # no half of a surrogate pair
 
 
 def _loaded(path: Path) -> Any:
@@ -206,14 +202,3 @@ def _compare(name: str, first: NDArray[Any], other: NDArray[Any]) -> None:
 
 def _wrong(sentence: str) -> InputError:
     return InputError(sentence, "bad_argument")
-
-
-@contextmanager
-def _named(number: int) -> Iterator[None]:
-    """Errors of what a piece has begin with its number."""
-    try:
-        yield
-    except FlipFlopError as error:
-        raise type(error)(f"piece {number}: {error}", error.code, error.index, error.count) from None
-    except (TypeError, ValueError) as error:
-        raise type(error)(f"piece {number}: {error}") from None

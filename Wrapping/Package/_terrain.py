@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cached_property
 from operator import index
 from typing import Any, ClassVar
 
@@ -16,9 +17,9 @@ from ._arguments import float_of
 from ._constraints import Chains, Constraints
 from ._errors import InputError
 from ._geometries import Lines, lines_of
-from ._input import column_of, points_of
+from ._input import column_of, either_left_out, points_of
 from ._lines import JoinedTriangulation, joined_triangulation
-from ._results import Floats, Frozen, Ids, NonFinite, Progress, ignores, named, report_of, settings, stretch
+from ._results import Floats, Frozen, Ids, NonFinite, Progress, edges_of, ignores, named, report_of, settings, stretch
 
 
 class TerrainMesh(Frozen):
@@ -67,6 +68,11 @@ class TerrainMesh(Frozen):
     dimension: int
     statistics: dict[str, float]
     _call: ClassVar[str] = "terrain_mesh(points, tolerance=...)"
+
+    @cached_property
+    def edges(self) -> Ids:
+        """The edges of `simplices`, each once, as ids, the lower one first; in lexicographic order."""
+        return edges_of(self.simplices)
 
     def __len__(self) -> int:
         return len(self.vertices)
@@ -129,10 +135,10 @@ def terrain_mesh(
     levels = None
     if heights is not None:
         levels, masked = column_of(heights, "height", ignore)
-        left_out = left_out or masked
         if len(levels) != len(array):
             text = f"there are {len(levels)} heights for {len(array)} points"
             raise InputError(text, "bad_argument", len(array), len(levels))
+        left_out = either_left_out(array, left_out, levels, masked)
     elif array.shape[1] == 2:
         raise ValueError("points of two coordinates take heights: pass heights, or points of three coordinates")
     with report_of(progress) as report:

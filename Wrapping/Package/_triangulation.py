@@ -18,7 +18,7 @@ from ._device import memory_of
 from ._domain import domain_of_call
 from ._errors import InputError
 from ._image import METHODS, Image, Method, grid_of, image_of
-from ._input import points_of, values_of, weights_of
+from ._input import points_and_weights_of, points_of, values_of
 from ._queries import Lengths, Numbers, results_of, changed, unchanged
 from ._results import (
     QUIET,
@@ -164,11 +164,10 @@ class RegularTriangulation(Cells):
     @cached_property
     def vertex_neighbor_vertices(self) -> tuple[Ids, Ids]:
         """The points that edges link: point i has indices[indptr[i]:indptr[i + 1]], ascending; (indptr, indices)."""
-        corners = self.simplices.shape[1]
-        pairs = [self.simplices[:, [i, j]] for i in range(corners) for j in range(corners) if i != j]
-        links = np.unique(np.vstack([np.empty((0, 2), np.int64), *pairs]), axis=0)
+        links = np.concatenate([self.edges[:, ::-1], self.edges])
         counts = np.bincount(links[:, 0], minlength=self.npoints)
-        return frozen(np.concatenate([[0], np.cumsum(counts)])), frozen(np.ascontiguousarray(links[:, 1]))
+        others = links[np.argsort(links[:, 0], kind="stable"), 1]
+        return frozen(np.concatenate([[0], np.cumsum(counts)])), frozen(others)
 
     @cached_property
     def vertex_to_simplex(self) -> Ids:
@@ -511,11 +510,10 @@ def regular_triangulation(
         names the first point at fault and how many there are
     """
     ignore = ignores(non_finite)
-    array, left_out = points_of(points, ignore)
-    weight_array = None
     if constraints is not None or polygons is not None:
         if weights is not None:
             raise InputError("constraints take no weights: leave one of them out", "bad_argument")
+        array, left_out = points_of(points, ignore)
         chosen = settings(threads, facets, non_finite, engine, progress, left_out)
         if engine == "cuda":
             raise InputError(
@@ -525,9 +523,7 @@ def regular_triangulation(
         from ._constrained import constrained_triangulation  # which needs this module
 
         return constrained_triangulation(array, given, chosen, left_out)
-    if weights is not None:
-        weight_array, masked = weights_of(weights, ignore)
-        left_out = left_out or masked
+    array, weight_array, left_out = points_and_weights_of(points, weights, ignore)
     chosen = settings(threads, facets, non_finite, engine, progress, left_out)
     chosen[0].points_memory, chosen[0].weights_memory = memory_of(array), memory_of(weight_array)
     core = run(chosen, _core.regular_triangulation, array, weight_array)
