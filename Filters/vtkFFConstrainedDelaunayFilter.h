@@ -126,8 +126,11 @@ public:
   //@{
   /**
    * Set/Get whether closed lines of the source are polygons, which define what is inside: see
-   * SetPolygonRule(). A line is closed if it has four points or more, and the last is the first, or
-   * at its position. Off by default.
+   * SetPolygonRule(). Lines are joined end to end first, as slices and feature edges need it: at a
+   * position where exactly two of their ends are. A line, or a sequence of them, that then ends
+   * where it begins is closed, unless it encloses nothing. It runs as its first line does. One that
+   * runs all the way along the outline of the source's polygons and of the closed lines before it
+   * is this outline, and no second polygon. Off by default.
    */
   vtkSetMacro(ClosedLinesAsBorders, bool);
   vtkGetMacro(ClosedLinesAsBorders, bool);

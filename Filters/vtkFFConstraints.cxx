@@ -143,6 +143,10 @@ vtkFFConstraints::vtkFFConstraints(const SettingsType& settings, vtkPolyData* so
   const int points = settings.SourcePoints;
   this->IsOwn = points == vtkFFConstrainedDelaunayFilter::OWN_POINTS ||
     (points == vtkFFConstrainedDelaunayFilter::AUTOMATIC_POINTS && this->FindOwnPoints());
+  if (settings.ClosedLinesAsBorders)
+  {
+    this->FindRings();
+  }
   const vtkIdType vertices = source->GetNumberOfVerts();
   this->Take(source->GetLines(), vertices, Cells::OpenLines);
   const std::size_t lines = this->CellIds.size();
@@ -186,25 +190,33 @@ bool vtkFFConstraints::FindOwnPoints() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFConstraints::IsClosed(vtkIdList* corners) const
+void vtkFFConstraints::FindRings()
 {
-  const vtkIdType last = corners->GetNumberOfIds() - 1;
-  if (!this->Settings.ClosedLinesAsBorders || last < 3)
-  {
-    return false;
-  }
-  const vtkIdType ends[2] = { corners->GetId(0), corners->GetId(last) };
   vtkDataSet* const points = this->IsOwn ? static_cast<vtkDataSet*>(this->Source) : this->Input;
-  double x[2][3];
-  for (int i = 0; i < 2; ++i)
+  std::vector<double> corners;
+  std::vector<std::int64_t> offsets(1, 0);
+  vtkIdType cell = this->Source->GetNumberOfVerts();
+  vtkNew<vtkIdList> ids;
+  for (vtkCellArray* cells : { this->Source->GetLines(), this->Source->GetPolys() })
   {
-    if (ends[i] < 0 || ends[i] >= points->GetNumberOfPoints())
+    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i, ++cell)
     {
-      return false; // an error
+      cells->GetCellAtId(i, ids);
+      for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+      {
+        this->GetId(ids->GetId(k), cell); // is there
+        corners.resize(corners.size() + 3);
+        points->GetPoint(ids->GetId(k), corners.data() + corners.size() - 3);
+      }
+      offsets.push_back(static_cast<std::int64_t>(corners.size() / 3));
     }
-    points->GetPoint(ends[i], x[i]);
   }
-  return ends[0] == ends[1] || isSame(x[0], x[1], this->Settings.Dimensions);
+  flipflop::LineView lines;
+  lines.points = flipflop::PointView(corners.data(), offsets.back());
+  lines.offsets = offsets.data();
+  lines.lines = this->Source->GetNumberOfLines();
+  lines.polygons = this->Source->GetNumberOfPolys();
+  this->Rings = flipflop::closedLines(lines, this->Settings.Dimensions);
 }
 
 //------------------------------------------------------------------------------
@@ -214,7 +226,8 @@ void vtkFFConstraints::Take(vtkCellArray* cells, vtkIdType firstCell, Cells whic
   for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
   {
     cells->GetCellAtId(i, corners);
-    if (which != Cells::Polygons && this->IsClosed(corners) != (which == Cells::ClosedLines))
+    const int ring = which == Cells::Polygons || this->Rings.empty() ? 0 : this->Rings[i];
+    if (which != Cells::Polygons && (ring != 0) != (which == Cells::ClosedLines))
     {
       continue;
     }
@@ -224,6 +237,10 @@ void vtkFFConstraints::Take(vtkCellArray* cells, vtkIdType firstCell, Cells whic
       const vtkIdType before = corners->GetId(k > 0 ? k - 1 : size - 1);
       this->Ends.push_back(this->GetId(before, firstCell + i));
       this->Ends.push_back(this->GetId(corners->GetId(k), firstCell + i));
+      if (ring < 0)
+      {
+        std::swap(this->Ends.back(), this->Ends[this->Ends.size() - 2]);
+      }
       this->CellIds.push_back(firstCell + i);
     }
   }

@@ -18,6 +18,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <flipflop/ClosedLines.h>
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/ConstraintCrossings.h>
 #include <flipflop/JoinedLines.h>
@@ -40,7 +41,6 @@ class vtkDataArray;
 class vtkDataSet;
 class vtkFFConstrainedDelaunayFilter;
 class vtkFFRun;
-class vtkIdList;
 class vtkPointSet;
 class vtkPolyData;
 
@@ -193,7 +193,7 @@ private:
   vtkFFConstraints(const SettingsType& settings, vtkPolyData* source, vtkDataSet* input,
     const std::vector<vtkIdType>& given);
   bool FindOwnPoints() const;
-  bool IsClosed(vtkIdList* corners) const;
+  void FindRings();
   void Take(vtkCellArray* cells, vtkIdType firstCell, Cells which);
   std::int64_t GetId(vtkIdType point, vtkIdType cell) const;
   std::string Describe(const flipflop::Error& error, const vtkFFRun& run) const;
@@ -208,7 +208,8 @@ private:
   bool IsOwn = false;
   const std::vector<vtkIdType>& Given;
   std::vector<std::int64_t> Ends;
-  std::vector<vtkIdType> CellIds; // of each constraint
+  std::vector<vtkIdType> CellIds;      // of each constraint
+  flipflop::Buffer<std::int8_t> Rings; // of each line, as closedLines() gives it
   std::int64_t Sides = 0;
   std::optional<vtkFFPlanarInput> Lines; // the source's own points
   flipflop::PointView OwnHeights;        // x, y and height of these

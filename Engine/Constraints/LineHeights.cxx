@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which points a constraint runs through is read off the fixed edges: from its one end, the edge
-/// on its line that leads on, until its other end.
+/// Heights at the points where constraints end, cross, or run through.
 #include <flipflop/JoinedLines.h>
 
+#include "Constraints/FixedPaths.h"
 #include "Points/ConstraintInput.h"
-#include "Predicates/PlaneOrientation.h"
 #include "Predicates/RoundedFractions.h"
 #include "Run/QueryRun.h"
 #include "Support/EngineCall.h"
@@ -16,10 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
-#include <utility>
-#include <vector>
 
 namespace flipflop
 {
@@ -78,14 +74,7 @@ public:
     , count(this->joinedCount + splitLines.newPointCount())
   {
     this->requireFit(triangulation);
-    for (std::size_t i = 0; i < triangulation.fixedEdges.size(); i += 2)
-    {
-      const auto idAt = [&](std::size_t end)
-      { return triangulation.pointIds[static_cast<std::size_t>(triangulation.fixedEdges[end])]; };
-      this->edges.emplace_back(idAt(i), idAt(i + 1));
-      this->edges.emplace_back(idAt(i + 1), idAt(i));
-    }
-    threads::sort(this->edges.begin(), this->edges.end(), std::less<Edge>());
+    this->paths = FixedPaths(triangulation);
   }
 
   LineHeights collect()
@@ -114,8 +103,6 @@ public:
   }
 
 private:
-  using Edge = std::pair<std::int64_t, std::int64_t>;
-
   void requireFit(const ConstrainedTriangulation& triangulation) const
   {
     const auto areIn = [](const Buffer<std::int64_t>& ids, std::int64_t low, std::int64_t high)
@@ -209,51 +196,26 @@ private:
       this->isSplit ? this->split.constraintOf[static_cast<std::size_t>(piece)] : piece;
     const auto meet = [&](std::int64_t id)
     { widen(result, id, this->heightAlong(constraint, id)); };
-    std::int64_t from = this->pieces.ends[2 * piece], to = this->pieces.ends[2 * piece + 1];
+    const std::int64_t from = this->pieces.ends[2 * piece], to = this->pieces.ends[2 * piece + 1];
     poll.step();
     if (this->isSplit && piece > 0 &&
       this->split.constraintOf[static_cast<std::size_t>(piece - 1)] == constraint)
     {
       meet(from);
     }
-    if (from == to || std::binary_search(this->edges.begin(), this->edges.end(), Edge(from, to)))
-    {
-      return;
-    }
-    if (this->degree(to) < this->degree(from))
-    {
-      std::swap(from, to);
-    }
-    for (std::int64_t id = this->next(from, from, to, poll); id != to;
-         id = this->next(id, from, to, poll))
-    {
-      meet(id);
-    }
-  }
-
-  std::vector<Edge>::const_iterator firstOf(std::int64_t id) const
-  {
-    return std::lower_bound(this->edges.begin(), this->edges.end(), Edge(id, -1));
-  }
-
-  std::ptrdiff_t degree(std::int64_t id) const { return this->firstOf(id + 1) - this->firstOf(id); }
-
-  /// The next point after @p id on the way.
-  std::int64_t next(std::int64_t id, std::int64_t from, std::int64_t to, StepPoll& poll) const
-  {
-    const double *p = this->at(from), *q = this->at(to), *here = this->at(id);
-    const int axis = p[0] != q[0] ? 0 : 1;
-    for (auto edge = this->firstOf(id); edge != this->edges.end() && edge->first == id; ++edge)
-    {
-      poll.step();
-      const double* there = this->at(edge->second);
-      const bool isAhead = p[axis] < q[axis] ? here[axis] < there[axis] : there[axis] < here[axis];
-      if (isAhead && planeOrientation(p, q, there) == 0)
+    this->paths.walk(
+      from, to,
+      [this](std::int64_t id) {
+        return Position{ { this->at(id)[0], this->at(id)[1] } };
+      },
+      poll,
+      [&](std::int64_t, std::int64_t id)
       {
-        return edge->second;
-      }
-    }
-    throw misfit();
+        if (id != from && id != to)
+        {
+          meet(id);
+        }
+      });
   }
 
   const PointSource lines;
@@ -265,7 +227,7 @@ private:
   const ConstraintView pieces;
   const std::int64_t joinedCount; ///< points
   const std::int64_t count;       ///< points with those of crossings
-  std::vector<Edge> edges;        ///< fixed, in both directions, ascending
+  FixedPaths paths;
 };
 
 }

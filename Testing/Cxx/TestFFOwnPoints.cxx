@@ -211,6 +211,20 @@ void testBorders()
   Run open(makePoints(corners), sourceOf(ring, { { 0, 1, 2, 3 }, { 0, 1, 0 } }));
   open->SetClosedLinesAsBorders(true);
   FF_CHECK_EQUAL(open.Watched::Run()->GetNumberOfPolys(), 10);
+  // Lines of two points, as slices have them, by ids and by positions; the outline of a cell.
+  const Cells pieces[] = { { { 0, 1 }, { 2, 1 }, { 2, 3 }, { 3, 0 } },
+    { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 4 } } };
+  for (const Cells& lines : pieces)
+  {
+    Run joined(makePoints(corners), sourceOf(ring, lines));
+    joined->SetClosedLinesAsBorders(true);
+    FF_CHECK_EQUAL(joined.Watched::Run()->GetNumberOfPolys(), 2);
+    joined->SetPolygonRule(Filter::DIRECTION);
+    FF_CHECK_EQUAL(joined.Watched::Run()->GetNumberOfPolys(), 2);
+  }
+  Run outlined(makePoints(corners), sourceOf(ring, { { 0, 1, 2, 3, 0 } }, { { 0, 1, 2, 3 } }));
+  outlined->SetClosedLinesAsBorders(true);
+  FF_CHECK_EQUAL(outlined.Watched::Run()->GetNumberOfPolys(), 2);
 }
 
 }

@@ -90,7 +90,7 @@ ConstrainedTriangulation constrainedTriangulation(
 /// By PolygonRule::EvenOdd, a way from outside of the convex hull to a cell that is inside crosses
 /// an odd number of sides, whatever their direction. So a polygon keeps its inside, and one in it
 /// is a hole, to any depth. Each side counts, so a polygon that is there twice keeps nothing, and
-/// two that share a side are as one.
+/// two that share a side are as one. See also cellsInsideFeatures.
 ///
 /// By PolygonRule::Direction, as vtkDelaunay2D has it, what is on the left of a side is inside,
 /// what is on its right is not. So a counter-clockwise polygon keeps its inside, and a clockwise
@@ -105,6 +105,25 @@ ConstrainedTriangulation constrainedTriangulation(
 ///                      indices out of range, sides that do not close), OutOfMemory, Aborted
 std::int64_t cellsInside(const ConstrainedTriangulation& triangulation, std::uint8_t* inside,
   const Options& options = Options());
+
+/// Which cells are inside the union of features: inside one of them or more, each by the even-odd
+/// rule for its own sides alone. So features that overlap, or that are there twice, do not cancel.
+///
+/// @param triangulation as constrainedTriangulation gave it
+/// @param points        which it was given
+/// @param constraints   which it was given; their ends are the lowest ids of their positions, as in
+///                      JoinedLines and SplitConstraints
+/// @param featureOf     for each side of a polygon the feature that it is of, by any number
+/// @param inside        space for one byte a cell: 1 if it is inside
+/// @param options       see Options; only the threads and the progress count
+/// @return              how many cells are inside
+/// @throw Error         BadArgument (no array for the features or the results, constraints or
+/// points
+///                      of another triangulation, sides of a feature that do not close),
+///                      OutOfMemory, Aborted
+std::int64_t cellsInsideFeatures(const ConstrainedTriangulation& triangulation,
+  const PointView& points, const ConstraintView& constraints, const std::int64_t* featureOf,
+  std::uint8_t* inside, const Options& options = Options());
 
 }
 

@@ -5,6 +5,7 @@
 /// rationals.
 #include "Testing/Engine/Constraints/SplitCases.h"
 
+#include <flipflop/ClosedLines.h>
 #include <flipflop/JoinedLines.h>
 
 #include <gtest/gtest.h>
@@ -310,6 +311,75 @@ TEST(JoinedLines, ErrorsNameThePlace)
   expectError([&] { heights(); }, ErrorCode::BadArgument);
   run.points.pop_back();
   expectError([&] { heights(); }, ErrorCode::BadArgument);
+}
+
+using Chains = std::vector<std::vector<At>>;
+
+/// For each line its sign.
+std::vector<int> closedOf(const Chains& lines, const Chains& polygons = {}, double lastHeight = 0)
+{
+  Cloud points;
+  std::vector<std::int64_t> offsets(1, 0);
+  for (const Chains* chains : { &lines, &polygons })
+  {
+    for (const std::vector<At>& chain : *chains)
+    {
+      for (const At& at : chain)
+      {
+        points.push_back({ at[0], at[1], 0 });
+      }
+      offsets.push_back(static_cast<std::int64_t>(points.size()));
+    }
+  }
+  points.back()[2] = lastHeight;
+  LineView view;
+  view.points = viewOf(points);
+  view.offsets = offsets.data();
+  view.lines = static_cast<std::int64_t>(lines.size());
+  view.polygons = static_cast<std::int64_t>(polygons.size());
+  const Buffer<std::int8_t> found = closedLines(view, lastHeight == 0 ? 2 : 3);
+  return { found.begin(), found.end() };
+}
+
+TEST(ClosedLines, AreJoinedEndToEnd)
+{
+  const At a = { 0, 0 }, b = { 4, 0 }, c = { 4, 4 }, d = { -0.0, 4 }, e = { 9, 9 };
+  struct Known
+  {
+    Chains lines, polygons;
+    std::vector<int> signs;
+  };
+  const Known all[] = { { { { a, b, c, a } }, {}, { 1 } },
+    { { { a, b }, { b, c }, { c, d }, { { 0.0, 4 }, { -0.0, 0 } } }, {}, { 1, 1, 1, 1 } },
+    // It runs as its first line does; a line of no length is a part of it.
+    { { { a, b }, { c, b }, { c, c }, { a, d, c } }, {}, { 1, -1, -1, 1 } },
+    { { { a, b }, { b, c }, { c, d } }, {}, { 0, 0, 0 } },
+    { { { a }, {}, { a, b } }, {}, { 0, 0, 0 } },
+    // What encloses nothing.
+    { { { a, b }, { b, a } }, {}, { 0, 0 } }, { { { a, b, c, b, a } }, {}, { 0 } },
+    { { { a, b, c }, { a, b, c } }, {}, { 0, 0 } },
+    // A third end at a; two rings that meet there; two ways from a to c, and a third.
+    { { { e, a }, { b, a }, { c, b }, { a, c } }, {}, { 0, 1, 1, 1 } },
+    { { { a, b }, { b, c, a }, { a, d }, { d, e, a } }, {}, { 1, 1, 1, 1 } },
+    { { { a, b, c }, { c, d, a }, { a, c } }, {}, { 0, 0, 0 } },
+    // There twice, in any form; the outline of a polygon, and of two; a side of one is none.
+    { { { c, a, b, c }, { a, b }, { b, c, a } }, {}, { 1, 0, 0 } },
+    { { { b, c, a, b } }, { { a, b, c } }, { 0 } },
+    { { { a, b, c, d, a }, { a, b, c, a } }, { { a, b, c }, { a, c, d, a } }, { 0, 1 } } };
+  for (const Known& known : all)
+  {
+    EXPECT_EQ(closedOf(known.lines, known.polygons), known.signs)
+      << testing::PrintToString(known.lines);
+  }
+  EXPECT_EQ(closedOf({ { a, b, c, a } }, {}, 7), std::vector<int>(1, 0));
+  LineView bad;
+  bad.lines = -1;
+  expectError([&] { closedLines(bad, 2); }, ErrorCode::BadArgument);
+  const std::int64_t offsets[] = { 0, 3 };
+  bad.lines = 1;
+  bad.offsets = offsets;
+  expectError([&] { closedLines(bad, 2); }, ErrorCode::BadArgument);
+  expectError([&] { closedLines(LineView(), 4); }, ErrorCode::BadArgument);
 }
 
 }

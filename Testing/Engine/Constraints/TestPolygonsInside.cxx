@@ -236,6 +236,83 @@ TEST(PolygonsInside, BadArguments)
   expectError([&] { cellsInside(result, inside.data()); }, ErrorCode::BadArgument);
 }
 
+/// Random polygons of a few features: a cell is inside the union if it is inside one of them, whose
+/// sides alone are sides.
+TEST(PolygonsInside, OfFeaturesIsTheirUnion)
+{
+  for (std::uint64_t seed = 0; seed < 200; ++seed)
+  {
+    Random random(seed);
+    std::vector<Loop> loops;
+    std::vector<std::int64_t> loopOf;
+    for (std::int64_t loop = 0; loop < random.integer(2, 6); ++loop)
+    {
+      // Along lines of the grid, so that none cross between points; a few are there again.
+      const int x = random.integer(0, 2), y = random.integer(0, 2);
+      const int right = random.integer(x + 1, 3), top = random.integer(y + 1, 3);
+      const Loop ring = { 4 * y + x, 4 * y + right, 4 * top + right, 4 * top + x };
+      loops.push_back(loop > 0 && random.integer(0, 3) == 0 ? loops[0] : ring);
+      loopOf.push_back(random.integer(0, 2) - 1);
+    }
+    const Sides sides(loops, { { 5, 6 } });
+    std::vector<std::int64_t> featureOf;
+    for (const std::int64_t feature : loopOf)
+    {
+      featureOf.insert(featureOf.end(), 4, feature);
+    }
+    Options options;
+    options.facets = seed % 2 ? FacetMode::Polygons : FacetMode::Triangles;
+    const ConstrainedTriangulation result =
+      constrainedTriangulation(viewOf(grid), sides.view(), options);
+    std::vector<std::uint8_t> inside(static_cast<std::size_t>(result.cellCount()), 7);
+    std::vector<std::uint8_t> expected(inside.size(), 0);
+    cellsInsideFeatures(
+      result, viewOf(grid), sides.view(), featureOf.data(), inside.data(), options);
+    for (std::int64_t feature = -1; feature < 2; ++feature)
+    {
+      std::vector<Loop> own;
+      std::vector<Segment> others = { { 5, 6 } };
+      for (std::size_t i = 0; i < loops.size(); ++i)
+      {
+        const Sides segments({ loops[i] });
+        loopOf[i] == feature ? own.push_back(loops[i])
+                             : static_cast<void>(others.insert(
+                                 others.end(), segments.segments.begin(), segments.segments.end()));
+      }
+      if (own.empty())
+      {
+        continue;
+      }
+      const ConstrainedTriangulation same =
+        constrainedTriangulation(viewOf(grid), Sides(own, others).view(), options);
+      ASSERT_EQ(cellsOf(same), cellsOf(result));
+      const std::vector<std::uint8_t> one = insideOf(same, options);
+      for (std::size_t c = 0; c < one.size(); ++c)
+      {
+        expected[c] |= one[c];
+      }
+    }
+    ASSERT_EQ(inside, expected) << "seed " << seed;
+  }
+}
+
+TEST(PolygonsInside, OfFeaturesRefusesWhatDoesNotFit)
+{
+  const Sides sides({ middle });
+  const std::int64_t features[] = { 0, 0, 0, 1 };
+  ConstrainedTriangulation result = constrainedTriangulation(viewOf(grid), sides.view());
+  std::vector<std::uint8_t> inside(static_cast<std::size_t>(result.cellCount()));
+  const auto run = [&](const Cloud& cloud, const ConstraintView& view, const std::int64_t* of)
+  { cellsInsideFeatures(result, viewOf(cloud), view, of, inside.data()); };
+  expectError([&] { run(grid, sides.view(), features); }, ErrorCode::BadArgument); // do not close
+  expectError([&] { run(grid, sides.view(), nullptr); }, ErrorCode::BadArgument);
+  expectError([&] { run(grid, ConstraintView(), features); }, ErrorCode::BadArgument);
+  const Cloud few(grid.begin(), grid.end() - 1);
+  expectError([&] { run(few, sides.view(), features); }, ErrorCode::BadArgument);
+  result.fixedEdges.truncate(0);
+  expectError([&] { run(grid, sides.view(), features); }, ErrorCode::BadArgument);
+}
+
 /// Rectangles in rectangles and beside each other, that take turns from depth to depth.
 void nest(
   int x0, int y0, int x1, int y1, int side, bool solid, Random& random, std::vector<Loop>& loops)
