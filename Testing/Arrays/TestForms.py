@@ -43,6 +43,16 @@ class Gives:
         return self.array
 
 
+class NAType:
+    """As pandas.NA is, by its name."""
+
+    def __eq__(self, other):
+        return self
+
+    def __bool__(self):
+        raise TypeError("boolean value of NA is ambiguous")
+
+
 # The same numbers in other clothes.
 FORMS = {
     "big-endian": lambda array: array.astype(array.dtype.newbyteorder(">")),
@@ -137,8 +147,10 @@ def test_what_is_masked_may_be_anything(layer):
         np.array([[0, 0, 0], [np.nan, 0, 0]], dtype="g"),
         np.ma.array([[0, 0, 0], [np.nan, 0, 0]], mask=[[1, 0, 0], [0, 0, 0]]),
         np.array([[1, 2, 3], [np.inf, 0, 0]], np.float32),
+        [[0, 0, 0], [0, None, 0]],
+        np.array([[0, 0, 0], [0, NAType(), 0]], object),
     ],
-    ids=range(4),
+    ids=range(6),
 )
 def test_what_is_not_finite_is_named(layer, given):
     with pytest.raises(InputError, match=r"NaN or infinite: first at point 1, 1 such point\(s\) in all") as caught:
@@ -157,14 +169,13 @@ def test_what_is_not_finite_is_named(layer, given):
         [[0, 0, 0], [10**400, 0, 0]],
         [[0, 0, 0], [Fraction(1, 3), 0, 0]],
         [[0, 0, 0], [Decimal("0.1"), 0, 0]],
-        [[0, 0, 0], [None, 0, 0]],
         np.array([[0, 0, 0], ["1", 0, 0]], dtype=object),
         np.array([[0, 0, 0], [1 + np.finfo(np.longdouble).eps, 0, 0]], dtype=np.longdouble),
         np.array([[0, 0, 0], [np.finfo(np.longdouble).max, 0, 0]], dtype=np.longdouble),
         np.ma.array([[2**53 + 1, 0, 0], [2**53 + 1, 0, 0]], mask=[[1, 0, 0], [0, 0, 0]]),
         np.array([[0, 0, 0], [2**53 + 1, 0, 0]]).astype(">i8"),
     ],
-    ids=range(11),
+    ids=range(10),
 )
 def test_a_number_that_no_double_holds_is_named(layer, wide):
     message = r"^a coordinate is no number that a double holds, .+: first at point 1, 1 such point\(s\) in all$"
@@ -196,8 +207,12 @@ def test_what_is_no_real_number(layer, kind):
 
 @pytest.mark.parametrize("shape", [(), (1,), (4,), (5, 1), (5, 4), (0, 4), (3, 5, 3)], ids=str)
 def test_shapes_of_points(layer, shape):
-    with pytest.raises(ValueError, match="^points are an array of n by 3 or n by 2 coordinates, not of shape"):
+    hint = {(3, 5, 3): r": pass reshape\(-1, 3\) of it, and where sets begin"}.get(shape, "$")
+    said = r"^points are an array of n by 3 or n by 2 coordinates, not of shape \(.*\)" + hint
+    with pytest.raises(ValueError, match=said):
         layer.convex_hull(np.zeros(shape))
+    with pytest.raises(ValueError, match=r"\(2, 5\): if its rows are x and y, pass numpy.column_stack\(\) of them$"):
+        layer.regular_triangulation((np.arange(5), np.arange(5.0)))
 
 
 @pytest.mark.parametrize("shape", [(), (60, 3), (60, 0), (6, 10, 1)], ids=str)

@@ -140,6 +140,8 @@ def test_geometries_are_told_the_way_out(name):
         ([Polygon(), Polygon()], r"shapely.get_coordinates\(\)"),
         (GeoSeries(), r"not a GeoSeries: pass .get_coordinates\(\) of it"),
     ):
+        if type(given) is Polygon and ("domain" in name or "box" in name):
+            way_out = "takes a polygon without holes, not a Polygon of 0 rings"
         with pytest.raises(TypeError, match=way_out):
             ALL[name][0](given)
 
@@ -187,8 +189,16 @@ def test_forms_of_a_box(areas_in):
 def test_forms_of_a_polygon(areas_in):
     expected = areas_in(RING)
     assert np.array_equal(areas_in([*RING, RING[0]]), expected)
+    geometry = {"type": "Polygon", "coordinates": [[(x, y, 7) for x, y in RING]]}
+    for form in ([RING[0], *RING, RING[3], RING[0]], geometry):
+        assert np.array_equal(areas_in(form), expected)
     for turned in (RING[::-1], [*RING[::-1], RING[-1]], np.array(RING, ">i4")[::-1]):
         assert np.allclose(areas_in(turned), expected, rtol=1e-12)
+    for kind, found in (("Polygon", "Polygon of 2 rings"), ("MultiPolygon", "MultiPolygon")):
+        with pytest.raises(TypeError, match=f"^domain takes a polygon without holes, not a {found}$"):
+            areas_in({"type": kind, "coordinates": [RING, RING]})
+    with pytest.raises(ValueError, match="not 4 rows of which no three in turn differ"):
+        areas_in([RING[0], RING[1], RING[1], RING[0]])
 
 
 @pytest.mark.parametrize("size", [1e-300, 1e-160, 1.0, 1e150])
@@ -223,7 +233,7 @@ def test_shapes_of_domains(areas_in, shape):
 
 def test_a_polygon_that_is_not_convex_names_the_caller_s_corner(areas_in):
     dented = [(0, 0), (4, 0), (4, 4), (1, 2.5), (0, 4)]
-    for ring in (dented, dented[::-1], [*dented[::-1], dented[-1]]):
+    for ring in (dented, dented[::-1], [*dented[::-1], dented[-1]], [dented[0], *dented]):
         with pytest.raises(InputError, match=r"no convex polygon with finite corners: at corner \d, \(1.0, 2.5\)$") as caught:
             areas_in(ring)
         assert caught.value.code == "not_convex" and ring[caught.value.index] == (1, 2.5)
@@ -239,6 +249,19 @@ def test_box_is_another_name_of_domain():
             call(box=(0, 0, 1, 1))
         with pytest.raises(TypeError, match="domain and box"):
             call(domain=RING, box=RING)
+
+
+def test_bounds_are_in_the_order_of_shapely():
+    sites = SQUARE + [0.5, 0.25]
+    for call in (power_diagram, centroidal_cells, prescribed_areas):
+        expected = call(sites, None, (0, 3, -1, 2))
+        assert np.array_equal(call(sites, bounds=(0, -1, 3, 2)).areas, expected.areas)
+        with pytest.raises(TypeError, match="at a domain or at bounds: give one"):
+            call(sites, domain=RING, bounds=(0, 0, 1, 1))
+        with pytest.raises(InputError, match=r"^bounds: .* from x = 0.0 to -1.0 .*; bounds are \(x0, y0, x1, y1\)"):
+            call(sites, bounds=(0, 3, -1, 2))
+        with pytest.raises(ValueError, match=r"^bounds are \(x0, y0, x1, y1\), .* of shape \(2, 2\)"):
+            call(sites, bounds=((0, 0), (1, 1)))
 
 
 # Numbers ----------------------------------------------------------------------------------------------------------

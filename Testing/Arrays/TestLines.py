@@ -106,7 +106,57 @@ def test_polygons_are_borders():
     with pytest.raises(InputError, match="reverse lines, ring [01], which disagrees with lines, ring [01]"):
         constrained_triangulation([], mapping("Polygon", (SQUARE[::-1], HOLE)), polygon_rule="direction")
     with pytest.warns(UserWarning, match="no cell is inside"):
-        constrained_triangulation([], [mapping("Polygon", [SQUARE])] * 2)
+        constrained_triangulation([], mapping("MultiPolygon", [[SQUARE]] * 2))
+
+
+def test_of_several_features_their_union_is_inside():
+    square = mapping("Polygon", [SQUARE, HOLE])
+    bow = mapping("Polygon", [((9, 9), (13, 13), (13, 9), (9, 13), (9, 9))])
+    ours = constrained_triangulation(GROUND[:, :2], [square, square, bow])
+    assert ours.areas.sum() == pytest.approx(96 + 8 - 0.5, rel=1e-14) and validate(ours)
+    assert constrained_triangulation([], [square, mapping("Polygon", [HOLE])]).areas.sum() == 100
+    again = pickle.loads(pickle.dumps(constrained_triangulation([], [square, square], facets="polygons")))
+    assert again.areas.sum() == constrained_triangulation([], [square, square]).areas.sum() == 96
+    assert len(again.polygons) == len(constrained_triangulation([], [square, square]).polygons) > 0
+    # All closed lines are one feature, each of them once.
+    lines = [np.array(SQUARE), np.array(HOLE), np.array(SQUARE), mapping("Polygon", [HOLE])]
+    for end, area in ((2, 96), (3, 96), (4, 100)):
+        assert constrained_triangulation([], lines[:end], closed_lines_as_borders=True).areas.sum() == area
+    with pytest.warns(UserWarning, match="no cell is inside"):
+        constrained_triangulation([], [mapping("Polygon", [SQUARE])] * 2, polygon_rule="direction")
+
+
+@pytest.mark.parametrize("turned", [0, 1, 5, 14])
+def test_lines_are_joined_end_to_end(turned):
+    corners = np.array([[0, 0], [4, 0], [4, 4], [2, 1], [0, 4.0]])
+    sides = [np.array([corners[i], corners[(i + 1) % 5]])[:: -1 if turned >> i & 1 else 1] for i in range(5)]
+    for rule in ("even-odd", "direction"):
+        ours = constrained_triangulation([], sides, closed_lines_as_borders=True, polygon_rule=rule)
+        # By direction, it runs as its first line does.
+        assert ours.areas.sum() == (10 if rule == "even-odd" or not turned & 1 else 6)
+    outline = [mapping("Polygon", [corners]), *sides]
+    assert constrained_triangulation([], outline, closed_lines_as_borders=True).areas.sum() == 10
+
+
+DEGENERATE = [
+    ([mapping("Polygon", [SQUARE]), mapping("Polygon", [])], InputError, r"lines\[1\] is empty", 1, 100),
+    ([mapping("Polygon", [SQUARE]), None], TypeError, r"lines\[1\] has no geometry: it is None", 1, 100),
+    (mapping("Polygon", [SQUARE, [(5, 2), (5, 2)]]), InputError, r"lines, ring 1 has 1 point\(s\)", 1, 100),
+    (mapping("MultiPolygon", [[SQUARE], [[(1, 1), (2, 2)], HOLE], []]), InputError, "lines, part 1, ring 0", 3, 100),
+    ([mapping("Polygon", [SQUARE]), LINE[:1, :2], mapping("LineString", [])], InputError, r"\[1\] has 1 point", 2, 100),
+    ([], InputError, "lines is empty", 1, None),
+]
+
+
+@pytest.mark.parametrize("lines, error, sentence, count, area", DEGENERATE)
+def test_what_has_too_few_points(lines, error, sentence, count, area):
+    with pytest.raises(error, match=sentence):
+        constrained_triangulation(GROUND[:, :2], lines)
+    ours = constrained_triangulation(GROUND[:, :2], lines, degenerate="ignore")
+    whole = regular_triangulation(GROUND[:, :2]).areas.sum()
+    assert ours.degenerate == count and ours.areas.sum() == pytest.approx(area or whole, rel=1e-14)
+    with pytest.raises(ValueError, match="degenerate is one of 'error', 'ignore', not 'skip'"):
+        constrained_triangulation(GROUND, lines, degenerate="skip")
 
 
 def rings_of(polygons):

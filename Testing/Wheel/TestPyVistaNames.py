@@ -50,15 +50,12 @@ def test_arguments_have_the_names_of_the_array_layer(function):
     assert set(here) - set(there) <= {"mesh", "surface", *own}
 
 
-def test_0_is_the_number_and_none_is_off():
+def test_0_and_none_are_off():
     flat = cloud(100)
+    flat.point_data["radius"] = np.full(100, 0.001)
     whole = regular_triangulation(flat).n_cells
     for name in ("alpha", "maximum_edge_length"):
-        assert regular_triangulation(flat, **{name: None}).n_cells == whole
-        assert regular_triangulation(flat, **{name: 0}).n_cells == 0
-        assert regular_triangulation(flat, **{name: np.inf}).n_cells == whole
-    # Disks of radius 1 and of radius 0.001: at alpha 0, those that meet.
-    flat.point_data["radius"] = np.full(100, 1.0)
-    assert regular_triangulation(flat, radii="radius", alpha=0).n_cells > whole / 2
-    flat.point_data["radius"] = np.full(100, 0.001)
-    assert regular_triangulation(flat, radii="radius", alpha=0).n_cells == 0
+        for value in (None, 0, 0.0, np.inf):
+            assert regular_triangulation(flat, **{name: value}).n_cells == whole
+            assert regular_triangulation(flat, radii="radius", **{name: value}).n_cells == whole
+        assert regular_triangulation(flat, **{name: 1e-9}).n_cells == 0

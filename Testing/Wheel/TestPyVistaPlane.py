@@ -160,6 +160,29 @@ def test_constraints_with_points_of_their_own():
         regular_triangulation(mesh, constraints=breaklines)
 
 
+def test_closed_lines_are_borders():
+    corners = np.array([[0, 0, 0], [4, 0, 0], [4, 4, 0], [2, 1, 0], [0, 4.0, 0]])
+    sides = pv.PolyData(corners, lines=np.array([[2, i, (i + 1) % 5] for i in range(5)]).ravel())
+    disc, square = pv.Polygon(radius=1, n_sides=30), pv.Polygon(n_sides=4, radius=8, fill=False)
+    hull = pv.PolyData(corners)
+    for lines, area in (
+        (sides, 10),
+        (sides.strip(join=True), 10),
+        (pv.Plane(i_size=4, j_size=3).extract_feature_edges(), 12),
+        (pv.Cube(bounds=(0, 2, 0, 3, 0, 4)).triangulate().slice("z"), 6),
+        (disc, disc.area),  # a cell, and its outline as a line
+        (disc + square, 128 - disc.area),
+    ):
+        found = constrained_triangulation(lines, lines, closed_lines_as_borders=True)
+        assert found.area == pytest.approx(area, rel=1e-6)
+    assert constrained_triangulation(hull, sides, closed_lines_as_borders=True, polygon_rule="direction").area == 10
+    few = pv.PolyData(corners, lines=[1, 0, 2, 0, 2], faces=[2, 0, 1])
+    with pytest.raises(InputError, match=r"cell 0 of lines has 1 point\(s\): a line takes 2 or more; degenerate='ignore'"):
+        constrained_triangulation(hull, few)
+    both = constrained_triangulation(hull, few, degenerate="ignore")
+    assert both.field_data["DegenerateLines"].tolist() == [2] and both.area == 16
+
+
 def test_lines_that_cannot_be_used():
     mesh = pv.PolyData(SQUARE)
     for lines, error, sentence in (

@@ -11,6 +11,7 @@
 
 #include <flipflop/AlphaComplex.h>
 #include <flipflop/CellBoundary.h>
+#include <flipflop/ClosedLines.h>
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/ConstraintCrossings.h>
 #include <flipflop/EdgeLengths.h>
@@ -89,9 +90,14 @@ Triangulation withCells(const Triangulation& given, const std::uint8_t* kept)
   return some;
 }
 
+/// @param features for each side of a polygon what it is of: their union is inside
 Constrained constrained(const InputArray& points, const EndsArray& ends, std::int64_t polygonSides,
-  bool byDirection, const Settings& settings)
+  bool byDirection, const std::optional<IdArray>& features, const Settings& settings)
 {
+  if (features && static_cast<std::int64_t>(features->size()) != polygonSides)
+  {
+    throw nb::value_error("there must be a feature for each side of a polygon");
+  }
   const PointView sites = pointView(points, 2);
   const ConstraintView constraints = constraintView(ends, polygonSides);
   return settings.run(
@@ -110,7 +116,11 @@ Constrained constrained(const InputArray& points, const EndsArray& ends, std::in
         Part choosing(options, 1.0 - shareOfInside, 1.0);
         const std::int64_t cells = made.whole->cellCount();
         Buffer<std::uint8_t> inside(static_cast<std::size_t>(cells));
-        if (cellsInside(*made.whole, inside.data(), choosing.options()) < cells)
+        const std::int64_t kept = features
+          ? cellsInsideFeatures(
+              *made.whole, sites, constraints, features->data(), inside.data(), choosing.options())
+          : cellsInside(*made.whole, inside.data(), choosing.options());
+        if (kept < cells)
         {
           made.inside = handleOf(withCells(*made.whole, inside.data()));
         }
@@ -251,6 +261,20 @@ nb::tuple joinedOf(const InputArray& points, const InputArray& linePoints, const
     arrayOf(std::move(firsts)), joined);
 }
 
+/// For each line 1 if it is of a ring, -1 if it also runs against its first line; else 0. Polygons
+/// come after the lines.
+OutputArray<std::int8_t> closedOf(
+  const InputArray& points, const IdArray& offsets, std::int64_t polygons, const Settings& settings)
+{
+  LineView lines;
+  lines.points = pointView(points, 2);
+  lines.offsets = offsets.data();
+  lines.polygons = polygons;
+  lines.lines = static_cast<std::int64_t>(offsets.size()) - 1 - polygons;
+  return arrayOf(
+    settings.run([&](const Options& options) { return closedLines(lines, 2, options); }));
+}
+
 /// The heights of the points that were added, the lowest and the highest at each, and how many
 /// differ.
 nb::tuple heightsOf(const InputArray& points, const InputArray& linePoints, const EndsArray& ends,
@@ -322,9 +346,11 @@ void bindComplexes(nb::module_& module)
       [](Constrained& self, const std::tuple<State, std::optional<State>>& state)
       { new (&self) Constrained(restoredConstrained(state)); });
   module.def("constrained_queries", &constrainedSites);
-  module.def("constrained_triangulation", &constrained);
+  module.def("constrained_triangulation", &constrained, "points"_a, "ends"_a, "sides"_a,
+    "by_direction"_a, "features"_a.none(), "settings"_a);
   module.def("split_crossings", &splitOf);
   nb::class_<Joined>(module, "JoinedLines");
+  module.def("closed_lines", &closedOf);
   module.def("join_lines", &joinedOf);
   module.def("line_heights", &heightsOf);
   module.def("validate_constrained",

@@ -42,6 +42,7 @@ class ConstrainedTriangulation(RegularTriangulation):
     _whole: Any
     _sides: int
     _by_direction: bool
+    _features: Ids | None = None  # of sides, if the union of several is inside
     _call: ClassVar[str] = "regular_triangulation(points, constraints=...)"
 
     def __getstate__(self) -> dict[str, Any]:
@@ -89,7 +90,7 @@ class ConstrainedTriangulation(RegularTriangulation):
             as_polygons = _core.Settings(0, True, self._ignores, 1, None)
             with unchanged():
                 whole = _core.constrained_triangulation(
-                    self.points, self.constraints, self._sides, self._by_direction, as_polygons
+                    self.points, self.constraints, self._sides, self._by_direction, self._features, as_polygons
                 )
             core = whole.inside()
             if not np.array_equal(core.triangles().corners(), self._core.corners()):
@@ -98,8 +99,9 @@ class ConstrainedTriangulation(RegularTriangulation):
 
     def power_diagram(
         self,
-        domain: ArrayLike | None = None,
+        domain: Any = None,
         *,
+        bounds: ArrayLike | None = None,
         box: ArrayLike | None = None,
         threads: int = 0,
         progress: Progress = None,
@@ -163,7 +165,8 @@ def constrained_triangulation(
 ) -> ConstrainedTriangulation:
     """With the settings that are chosen."""
     try:
-        core = run(chosen, _core.constrained_triangulation, points, given.ends, given.sides, given.by_direction)
+        arguments = points, given.ends, given.sides, given.by_direction, None
+        core = run(chosen, _core.constrained_triangulation, *arguments)
     except InputError as error:
         raise given.of_error(error) from None
     given.warn_if_none(core)

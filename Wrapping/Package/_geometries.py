@@ -6,14 +6,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _core
+from ._arguments import choice_of
 from ._errors import InputError
 from ._input import is_array_like, points_of
-from ._results import Floats, Ids
+from ._results import QUIET, Floats, Ids
+
+Degenerate = Literal["error", "ignore"]
 
 # Of each kind of geometry what has its parts, how these are named, and their kind; None: any.
 _PARTS: dict[str, tuple[str, str, str | None]] = {
@@ -24,7 +28,7 @@ _PARTS: dict[str, tuple[str, str, str | None]] = {
     "MultiPolygon": ("coordinates", ", part {}", "Polygon"),
     "Polygon": ("coordinates", ", ring {}", "Ring"),
 }
-_LINES = ("LineString", "LinearRing", "Ring")
+_LINES = ("LineString", "LinearRing", "Ring", "Hole")
 _KINDS = {*_PARTS, "LineString", "LinearRing", "Feature"} - {"List"}
 _DEEPEST = 100
 
@@ -35,66 +39,162 @@ class Lines(NamedTuple):
     Attributes
     ----------
     points : ndarray of n by 2, or n by 3
-        the points of all, one after another
+        the points of all
     ends : ndarray of m by 2
         the points that each segment joins
     sides : int
         the last so many segments are sides of polygons
+    features : ndarray, optional
+        for each of these what it is of, if the union of several is inside
     geometry_of : ndarray
         for each segment the geometry that it is of
     names : list of str
         of each chain
     chain_of : ndarray
         for each segment its chain
+    degenerate : int
+        how many rings, lines and geometries were left out
     """
 
     points: Floats
     ends: Ids
     sides: int
+    features: Ids | None
     geometry_of: Ids
     names: list[str]
     chain_of: Ids
+    degenerate: int
+
+    def features_of(self, sides: Ids) -> Ids | None:
+        """Of so many segments, which are sides of polygons."""
+        return None if self.features is None else self.features[sides - (len(self.ends) - self.sides)]
 
 
-class _Chain(NamedTuple):
+class Chain(NamedTuple):
+    """A line, or a ring of a polygon without its first point again.
+
+    Attributes
+    ----------
+    name : str
+        as errors have it
+    geometry : int
+        the number of what it is of
+    ids : ndarray
+        of its points
+    is_ring : bool
+    """
+
     name: str
     geometry: int
-    points: Floats
+    ids: Ids
     is_ring: bool
 
 
-def lines_of(values: Any, closed_are_rings: bool) -> Lines:
+class LeftOut:
+    """Whether what has too few points is left out, and how many such there were."""
+
+    def __init__(self, degenerate: Degenerate) -> None:
+        self._ignores = choice_of("degenerate", degenerate, ("error", "ignore")) == "ignore"
+        self.count = 0
+
+    def add(self, error: Exception) -> None:
+        """Counts it, or raises the error."""
+        if not self._ignores:
+            raise error
+        self.count += 1
+
+    def has(self, name: str, number: int, count: int, is_ring: bool) -> bool:
+        """Whether a line or a ring of so many points is left out."""
+        if count >= (3 if is_ring else 2):
+            return False
+        if count == 0:
+            self.empty(name, number)
+            return True
+        what = "a ring takes 3 or more, besides the first again" if is_ring else "a line takes 2 or more"
+        sentence = f"{name} has {count} point(s): {what}; degenerate='ignore' leaves it out"
+        self.add(InputError(sentence, "bad_argument", number))
+        return True
+
+    def empty(self, name: str, number: int) -> None:
+        self.add(InputError(f"{name} is empty: it has no point", "bad_argument", number))
+
+
+def lines_of(values: Any, closed_are_rings: bool, degenerate: Degenerate = "error") -> Lines:
     """The lines and polygons of geometries.
 
-    closed_are_rings: whether lines that end where they begin are rings of polygons
+    closed_are_rings: whether lines that end where they begin, alone or end to end, are rings of polygons
     """
-    chains = [_chain(*part, closed_are_rings) for part in _parts_of(values)]
-    for chain in chains:
-        if chain.points.shape[1] != chains[0].points.shape[1]:
-            counts = " and ".join(f"{one.name} has {one.points.shape[1]}" for one in (chains[0], chain))
+    left_out = LeftOut(degenerate)
+    chains: list[Chain] = []
+    tables: list[Floats] = []
+    is_outer_left_out = False
+    for name, number, kind, coordinates in _parts_of(values, left_out):
+        is_ring = kind in ("Ring", "Hole")
+        points = _points_of_chain(name, number, coordinates, is_ring)
+        if kind == "Hole" and is_outer_left_out:
+            left_out.count += 1  # with the polygon
+            continue
+        is_left_out = left_out.has(name, number, len(points), is_ring)
+        if kind == "Ring":
+            is_outer_left_out = is_left_out
+        if is_left_out:
+            continue
+        if tables and points.shape[1] != tables[0].shape[1]:
+            counts = " and ".join(
+                f"{one} has {table.shape[1]}" for one, table in ((chains[0].name, tables[0]), (name, points))
+            )
             sentence = f"lines have 2 coordinates or 3, all the same, but {counts}"
-            raise InputError(sentence, "bad_argument", chain.geometry)
-    chains.sort(key=lambda chain: chain.is_ring)
-    sizes = np.array([len(chain.points) for chain in chains])
-    rings = np.array([chain.is_ring for chain in chains])
-    begins = np.cumsum(sizes) - sizes
-    ids = np.arange(sizes.sum())
-    to = ids + 1
-    to[(begins + sizes - 1)[rings]] = begins[rings]
-    is_end = np.zeros(len(ids), bool)
-    is_end[(begins + sizes - 1)[~rings]] = True
-    chain_of = np.repeat(np.arange(len(chains)), sizes)[~is_end]
+            raise InputError(sentence, "bad_argument", number)
+        begin = chains[-1].ids[-1] + 1 if chains else 0
+        chains.append(Chain(name, number, np.arange(begin, begin + len(points)), is_ring))
+        tables.append(points)
+    points = np.concatenate(tables) if tables else np.empty((0, 2))
+    return lines_from(points, chains, closed_are_rings, True, left_out)
+
+
+def lines_from(
+    points: Floats, chains: list[Chain], closed_are_rings: bool, are_features: bool, left_out: LeftOut
+) -> Lines:
+    """The lines and polygons of chains.
+
+    are_features: whether what is inside is the union of geometries, and of all closed lines as one more
+    """
+    chains = sorted(chains, key=lambda chain: chain.is_ring)
+    sizes = np.array([len(chain.ids) for chain in chains], np.int64)
+    are_rings = np.array([chain.is_ring for chain in chains], bool)
+    signs = are_rings.astype(np.int64)
+    ids = np.concatenate([np.empty(0, np.int64), *(chain.ids for chain in chains)])
+    offsets = np.concatenate([[0], np.cumsum(sizes)])
+    if closed_are_rings:
+        positions = np.ascontiguousarray(points[ids, :2], np.float64)
+        signs[~are_rings] = _core.closed_lines(positions, offsets, int(are_rings.sum()), QUIET)
+    to = np.roll(ids, -1)
+    to[offsets[1:][are_rings] - 1] = ids[offsets[:-1][are_rings]]
+    kept = np.ones(len(ids), bool)
+    kept[offsets[1:][~are_rings] - 1] = False
+    chain_of = np.repeat(np.arange(len(chains)), sizes)[kept]
+    ends = np.column_stack([ids, to])[kept]
+    ends[signs[chain_of] < 0] = ends[signs[chain_of] < 0, ::-1]
+    geometries = np.array([chain.geometry for chain in chains], np.int64)
+    of = geometries[chain_of] if are_features else chain_of
+    order = np.lexsort((np.arange(len(ends)), of, signs[chain_of] != 0))
+    ends, chain_of = ends[order], chain_of[order]
+    sides = int((signs[chain_of] != 0).sum())
+    features = np.where(are_rings, geometries, -1)[chain_of[len(ends) - sides :]]
+    is_union = are_features and len(np.unique(features)) > 1
     return Lines(
-        np.concatenate([chain.points for chain in chains]),
-        np.column_stack([ids, to])[~is_end],
-        int(sizes[rings].sum()),
-        np.array([chain.geometry for chain in chains])[chain_of],
+        points,
+        ends,
+        sides,
+        features if is_union else None,
+        geometries[chain_of],
         [chain.name for chain in chains],
         chain_of,
+        left_out.count,
     )
 
 
-def _parts_of(values: Any) -> Iterator[tuple[str, int, str, Any]]:
+def _parts_of(values: Any, left_out: LeftOut) -> Iterator[tuple[str, int, str, Any]]:
     """The name, the geometry's number, the kind and the coordinates of each line and ring."""
     waiting: list[tuple[str, int, int, str | None, Any]] = [("lines", 0, -1, None, values)]
     while waiting:
@@ -102,6 +202,9 @@ def _parts_of(values: Any) -> Iterator[tuple[str, int, str, Any]]:
         if depth > _DEEPEST:
             raise TypeError(f"lines are nested more than {_DEEPEST} levels deep")
         if kind is None:
+            if value is None:
+                left_out.add(TypeError(f"{name} has no geometry: it is None; degenerate='ignore' leaves it out"))
+                continue
             kind, value = _kind_of(name, value)
         if kind == "Feature":
             waiting.append((name, depth + 1, number, None, value.get("geometry")))
@@ -113,12 +216,11 @@ def _parts_of(values: Any) -> Iterator[tuple[str, int, str, Any]]:
             if not is_array_like(parts):
                 raise TypeError(f"{name} is a {kind} without a list of {key}")
             if not len(parts):
-                raise InputError(f"{name} is empty: it has no point", "bad_argument", max(number, 0))
+                left_out.empty(name, max(number, 0))
             counts = number < 0 and of is None
-            waiting += [
-                (name + form.format(i), depth + 1, i if counts else number, of, parts[i])
-                for i in reversed(range(len(parts)))
-            ]
+            for i in reversed(range(len(parts))):
+                part = "Hole" if of == "Ring" and i > 0 else of
+                waiting.append((name + form.format(i), depth + 1, i if counts else number, part, parts[i]))
 
 
 def _kind_of(name: str, value: Any) -> tuple[str, Any]:
@@ -132,8 +234,6 @@ def _kind_of(name: str, value: Any) -> tuple[str, Any]:
         if kind in _KINDS:
             return str(kind), value
         raise TypeError(f"{name} is no geometry: its type is {kind!r}")
-    if value is None:
-        raise TypeError(f"{name} has no geometry: it is None")
     if isinstance(value, np.ndarray) and value.dtype != object and value.ndim == 2:
         return "LineString", value
     if isinstance(value, (list, tuple)) or (isinstance(value, np.ndarray) and value.ndim == 1):
@@ -144,11 +244,12 @@ def _kind_of(name: str, value: Any) -> tuple[str, Any]:
     )
 
 
-def _chain(name: str, number: int, kind: str, coordinates: Any, closed_are_rings: bool) -> _Chain:
+def _points_of_chain(name: str, number: int, coordinates: Any, is_ring: bool) -> Floats:
+    """Of a ring without the first again."""
     if not is_array_like(coordinates):
         raise TypeError(f"{name} has no list of coordinates, but a {type(coordinates).__name__}")
     if not len(coordinates):
-        raise InputError(f"{name} is empty: it has no point", "bad_argument", number)
+        return np.empty((0, 2))
     try:
         points, _ = points_of(coordinates if isinstance(coordinates, np.ndarray) else list(coordinates), True)
     except TypeError as error:
@@ -162,15 +263,7 @@ def _chain(name: str, number: int, kind: str, coordinates: Any, closed_are_rings
         where, count = tuple(points[vertex].tolist()), int(wrong.sum())
         sentence = f"{name}, vertex {vertex}: {where} has a coordinate that is NaN or infinite, {count} such in all"
         raise InputError(sentence, "non_finite", number, count)
-    is_closed = len(points) > 3 and bool((points[0, :2] == points[-1, :2]).all())
-    is_ring = kind == "Ring" or (closed_are_rings and is_closed)
-    if is_ring and len(points) > 1 and (points[0] == points[-1]).all():
-        points = points[:-1]
-    least = 3 if is_ring else 2
-    if len(points) < least:
-        what = "a ring takes 3 or more, besides the first again" if is_ring else "a line takes 2 or more"
-        raise InputError(f"{name} has {len(points)} point(s): {what}", "bad_argument", number)
-    return _Chain(name, number, points, is_ring)
+    return points[:-1] if is_ring and len(points) > 1 and (points[0] == points[-1]).all() else points
 
 
 def multi_polygon(points: NDArray[Any], simplices: Ids, neighbors: Ids, rings: Sequence[Ids]) -> dict[str, Any]:

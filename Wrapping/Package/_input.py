@@ -50,7 +50,12 @@ def rows_of(values: Any) -> np.ndarray:
     if array.shape == (0,):
         array = array.reshape(0, 3)  # an empty list
     if array.ndim != 2 or array.shape[1] not in (2, 3):
-        raise ValueError(f"points are an array of n by 3 or n by 2 coordinates, not of shape {array.shape}")
+        hint = ""
+        if array.ndim == 2 and array.shape[0] in (2, 3):
+            hint = ": if its rows are x and y, pass numpy.column_stack() of them"
+        elif array.ndim == 3 and array.shape[2] in (2, 3):
+            hint = f": pass reshape(-1, {array.shape[2]}) of it, and where sets begin to convex_hulls()"
+        raise ValueError(f"points are an array of n by 3 or n by 2 coordinates, not of shape {array.shape}{hint}")
     return array
 
 
@@ -288,7 +293,9 @@ def _as_doubles(array: np.ndarray, mask: Any, what: str) -> np.ndarray:
 
 
 def _as_double(value: Any) -> float | None:
-    """The double that is the same number, or None."""
+    """The double that is the same number, NaN for a missing one, or None."""
+    if value is None or type(value).__name__ == "NAType":  # pandas.NA
+        return np.nan
     try:
         double = float(value)
         return double if double == value or value != value else None

@@ -15,7 +15,7 @@ from ._arguments import flag_of
 from ._constrained import ConstrainedTriangulation
 from ._constraints import Constraints, PolygonRule
 from ._errors import InputError
-from ._geometries import Lines, lines_of
+from ._geometries import Degenerate, Lines, lines_of
 from ._input import points_of
 from ._results import Facets, Floats, Ids, NonFinite, Progress, frozen, ignores, report_of, settings, stretch
 from ._triangulation import RegularTriangulation
@@ -40,12 +40,15 @@ class JoinedTriangulation(ConstrainedTriangulation):
         or run through. None: there are no heights, or lines have none of their own.
     differing : int
         at how many points these two differ: `numpy.flatnonzero(height_range[:, 0] < height_range[:, 1])` has them
+    degenerate : int
+        how many rings, lines and geometries of too few points were left out
     """
 
     point_origin: NDArray[np.uint8]
     geometry_of: Ids
     height_range: Floats | None
     differing: int
+    degenerate: int
     _line_points: Ids  # that were added
     _crossed: Ids  # of each crossing, the ends of the first line there
     _call: ClassVar[str] = "constrained_triangulation(points, lines)"
@@ -82,6 +85,7 @@ def constrained_triangulation(
     facets: Facets = "triangles",
     threads: int = 0,
     non_finite: NonFinite = "error",
+    degenerate: Degenerate = "error",
     progress: Progress = None,
 ) -> JoinedTriangulation:
     """The exact constrained Delaunay triangulation of points and lines, as they come: breaklines, outlines, geometries.
@@ -105,13 +109,18 @@ def constrained_triangulation(
         Multi..., GeometryCollection, Feature and FeatureCollection are taken. Polygons are borders: cells outside are
         left out. To have their sides as lines alone, pass `polygon.boundary`. All lines have 2 coordinates, or all 3.
     closed_lines_as_borders : bool
-        whether a line that ends where it begins is a polygon
+        whether lines that end where they begin are rings of polygons, alone or joined end to end: where exactly two
+        ends are. Only the first is, of rings that run along the same segments all the way.
     polygon_rule : {"even-odd", "direction"}
-        what is inside polygons: as for regular_triangulation(). By "even-odd", rings may have any direction.
+        what is inside polygons: as for regular_triangulation(). By "even-odd", rings may have any direction, and of
+        several geometries their union is inside; all closed lines are one of these.
     facets : {"triangles", "polygons"}
         which form of the facets is made at once; the other is made when it is first used
     threads, non_finite, progress
         see the module. Lines have to be finite in any case.
+    degenerate : {"error", "ignore"}
+        what lines of one point, rings of one or two, empty and missing geometries lead to: an error, or that they are
+        left out and counted; a polygon with its holes
 
     Raises
     ------
@@ -122,7 +131,7 @@ def constrained_triangulation(
         names what is no line
     """
     array, left_out = points_of(points, ignores(non_finite))
-    given = lines_of(lines, flag_of("closed_lines_as_borders", closed_lines_as_borders))
+    given = lines_of(lines, flag_of("closed_lines_as_borders", closed_lines_as_borders), degenerate)
     with report_of(progress) as report:
 
         def part(begin: float, end: float) -> Any:
@@ -149,8 +158,9 @@ def joined_triangulation(
     whole = np.zeros((len(array) + len(added), array.shape[1]))
     whole[: len(array)], whole[len(array) :, :2] = array, added
     constraints = _LineConstraints(given, pieces, piece_of, sides, by_direction)
+    features = None if by_direction else given.features_of(piece_of[len(pieces) - sides :])
     try:
-        core = _core.constrained_triangulation(whole, pieces, sides, by_direction, part(0.2, 0.8))
+        core = _core.constrained_triangulation(whole, pieces, sides, by_direction, features, part(0.2, 0.8))
     except InputError as error:
         raise constraints.of_error(error) from None
     constraints.warn_if_none(core)
@@ -179,7 +189,9 @@ def joined_triangulation(
         differing=differing,
         _core=core.inside(),
         _ignores=left_out,
+        degenerate=given.degenerate,
         _whole=core,
         _sides=sides,
         _by_direction=by_direction,
+        _features=features,
     )

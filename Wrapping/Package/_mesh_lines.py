@@ -10,41 +10,39 @@ import numpy as np
 import pyvista as pv
 from numpy.typing import NDArray
 
-from ._constraints import joined
 from ._errors import InputError
-from ._geometries import Lines, lines_of
+from ._geometries import Chain, Degenerate, LeftOut, Lines, lines_from, lines_of
 from ._lines import JoinedTriangulation
 from ._mesh_constraints import chains_of
 from ._meshes import Cloud, set_cells, values_of
 from ._results import Ids
 
 
-def lines_of_call(values: Any, closed_are_rings: bool) -> Lines:
+def lines_of_call(values: Any, closed_are_rings: bool, degenerate: Degenerate = "error") -> Lines:
     """The lines and polygons of a PolyData, with all of its points; or those of geometries."""
     if not hasattr(values, "IsA"):
-        return lines_of(values, closed_are_rings)
+        return lines_of(values, closed_are_rings, degenerate)
     if not values.IsA("vtkPolyData"):
         raise TypeError(f"lines are a PolyData or geometries, not a {values.GetClassName()}")
-    lines, polygons = [*chains_of(values.GetLines())], [*chains_of(values.GetPolys())]
-    if not lines and not polygons:
-        raise InputError("lines is empty: it has no line and no polygon", "bad_argument")
+    left_out = LeftOut(degenerate)
+    cells = [(ids, False) for ids in chains_of(values.GetLines())]
+    cells += [(ids[:-1] if len(ids) > 1 and ids[0] == ids[-1] else ids, True) for ids in chains_of(values.GetPolys())]
+    if not cells:
+        left_out.add(InputError("lines is empty: it has no line and no polygon", "bad_argument"))
     points = np.empty((0, 3)) if values.GetPoints() is None else values_of(values.GetPoints().GetData()).reshape(-1, 3)
-    _require_points(points, lines + polygons, values.GetNumberOfVerts())
-    are_rings = [
-        closed_are_rings and len(ids) > 3 and bool((points[ids[0], :2] == points[ids[-1], :2]).all()) for ids in lines
+    first = values.GetNumberOfVerts()
+    _require_points(points, [ids for ids, _ in cells], first)
+    chains = [
+        Chain(f"cell {number} of lines", number, ids, is_ring)
+        for number, (ids, is_ring) in enumerate(cells, first)
+        if not left_out.has(f"cell {number} of lines", number, len(ids), is_ring)
     ]
-    cells = values.GetNumberOfVerts() + np.concatenate(
-        [np.flatnonzero(~np.array(are_rings, bool)), np.flatnonzero(are_rings), len(lines) + np.arange(len(polygons))]
-    ).astype(np.int64)
-    ends, line_of = joined("lines", [ids for ids, is_ring in zip(lines, are_rings) if not is_ring], False)
-    rings = [ids for ids, is_ring in zip(lines, are_rings) if is_ring] + polygons
-    sides, ring_of = joined("polygons", rings, True)
-    chain_of = np.concatenate([line_of, ring_of + len(lines) - sum(are_rings)])
-    names = [f"cell {cell} of lines" for cell in cells.tolist()]
-    return Lines(points.astype(np.float64), np.concatenate([ends, sides]), len(sides), cells[chain_of], names, chain_of)
+    return lines_from(points.astype(np.float64), chains, closed_are_rings, False, left_out)
 
 
-def breaklines_of_call(values: Any, constraints: Any, heights: Any, composite: bool) -> tuple[Any, Lines] | None:
+def breaklines_of_call(
+    values: Any, constraints: Any, heights: Any, composite: bool, degenerate: Degenerate
+) -> tuple[Any, Lines] | None:
     """The lines of a terrain mesh, as they were given and as they are read; None: there are none."""
     if values is None:
         return None
@@ -54,7 +52,7 @@ def breaklines_of_call(values: Any, constraints: Any, heights: Any, composite: b
         raise ValueError("breaklines are constraints or lines, not both")
     if heights is not None:
         raise ValueError("lines have their heights in z: leave heights out, and give the mesh's points theirs there")
-    return values, lines_of_call(values, False)
+    return values, lines_of_call(values, False, degenerate)
 
 
 def _require_points(points: NDArray[Any], chains: list[Ids], first: int) -> None:

@@ -106,7 +106,7 @@ class Run:
     def _constrained(self, cloud: Cloud, positions: NDArray[Any], given: CloudConstraints, settings: Any) -> Any:
         if self._engine == ENGINES["cuda"]:
             raise ValueError("the CUDA engine was asked for, but constraints are the CPU's")
-        arguments = positions, given.ends, given.sides, given.by_direction, settings
+        arguments = positions, given.ends, given.sides, given.by_direction, None, settings
         found = cloud.engine(given.engine, _core.constrained_triangulation, *arguments)
         given.warn_if_none(found)
         return found.inside()

@@ -24,7 +24,8 @@ def centroidal_cells(
     mesh: Any,
     weights: ArrayLike | str | None = None,
     *,
-    domain: ArrayLike | None = None,
+    domain: Any = None,
+    bounds: ArrayLike | None = None,
     iterations: int = 100,
     tolerance: float = 0.0,
     threads: int = 0,
@@ -40,9 +41,8 @@ def centroidal_cells(
         its points are the sites at first, by x and y; its cells do not matter
     weights : str or n numbers, optional
         a point array's name, or numbers if mesh is no composite: squared lengths, which stay. By default none.
-    domain : 4 numbers, or m by 2, optional
-        where cells end: a box (x least, x greatest, y least, y greatest), or the corners of a convex polygon,
-        counter-clockwise. By default the box of the points.
+    domain, bounds
+        where cells end, as power_diagram() takes them
     iterations : int
         at most so many, 0 or more
     tolerance : float
@@ -64,7 +64,9 @@ def centroidal_cells(
         the site is in the end), vtkOriginalPointIds. Field data: Iterations, Converged. Or a composite of these.
     """
     sites = _Sites("weights", weights, skip_ghost_points, pass_point_data)
-    settings = dict(domain=domain, iterations=iterations, tolerance=tolerance, threads=threads_of(threads))
+    settings = dict(
+        domain=domain, bounds=bounds, iterations=iterations, tolerance=tolerance, threads=threads_of(threads)
+    )
 
     def add_site(found: CentroidalCells, cells: pv.PolyData, cloud: Cloud) -> None:
         _add(cells.GetCellData(), "Site", _in_space(cloud, found.sites[found.diagram.sites]))
@@ -76,7 +78,8 @@ def prescribed_areas(
     mesh: Any,
     areas: ArrayLike | str | None = None,
     *,
-    domain: ArrayLike | None = None,
+    domain: Any = None,
+    bounds: ArrayLike | None = None,
     tolerance: float = 1e-6,
     iterations: int = 100,
     threads: int = 0,
@@ -98,7 +101,7 @@ def prescribed_areas(
         domain's area. By default all are equal.
     tolerance : float
         0 or more: it ends when each area is met to that, relative to itself
-    domain, iterations, threads, skip_ghost_points, pass_point_data, progress
+    domain, bounds, iterations, threads, skip_ghost_points, pass_point_data, progress
         as for centroidal_cells()
 
     Returns
@@ -108,7 +111,9 @@ def prescribed_areas(
         power diagram has these cells), vtkOriginalPointIds. Field data: Iterations, Converged. Or a composite of these.
     """
     sites = _Sites("areas", areas, skip_ghost_points, pass_point_data)
-    settings = dict(domain=domain, iterations=iterations, tolerance=tolerance, threads=threads_of(threads))
+    settings = dict(
+        domain=domain, bounds=bounds, iterations=iterations, tolerance=tolerance, threads=threads_of(threads)
+    )
 
     def add_weight(found: PrescribedAreas, cells: pv.PolyData, _: Cloud) -> None:
         _add(cells.GetCellData(), "Weight", found.weights[found.diagram.sites])

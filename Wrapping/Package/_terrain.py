@@ -16,7 +16,7 @@ from . import _core
 from ._arguments import float_of
 from ._constraints import Chains, Constraints
 from ._errors import InputError
-from ._geometries import Lines, lines_of
+from ._geometries import Degenerate, Lines, lines_of
 from ._input import column_of, either_left_out, points_of
 from ._lines import JoinedTriangulation, joined_triangulation
 from ._results import Floats, Frozen, Ids, NonFinite, Progress, edges_of, ignores, named, report_of, settings, stretch
@@ -94,6 +94,7 @@ def terrain_mesh(
     lines: Any = None,
     threads: int = 0,
     non_finite: NonFinite = "error",
+    degenerate: Degenerate = "error",
     progress: Progress = None,
 ) -> TerrainMesh:
     """A mesh of some of the points, from which no other point is farther, vertically, than the tolerance: exactly.
@@ -118,6 +119,8 @@ def terrain_mesh(
         they add, where they cross, too, and at which heights. Of polygons, only the sides count.
     threads, non_finite, progress
         see the module; a height that is not finite is like such a coordinate
+    degenerate : {"error", "ignore"}
+        as constrained_triangulation() has it for lines
 
     Raises
     ------
@@ -149,7 +152,7 @@ def terrain_mesh(
         if lines is not None:
             if constraints is not None:
                 raise ValueError("breaklines are constraints or lines, not both")
-            return mesh_with_lines(array, levels, lines_of(lines, False), limits, left_out, part)
+            return mesh_with_lines(array, levels, lines_of(lines, False, degenerate), limits, left_out, part)
         given = Constraints(constraints, None)
         try:
             found = _core.terrain_mesh(array, levels, given.ends, *limits, part(0.0, 1.0))
@@ -170,8 +173,9 @@ def mesh_with_lines(
     """The mesh of points and lines of their own, with the settings of each part of the run."""
     whole = np.array(array[:, :3] if levels is None else np.column_stack([array[:, :2], levels]), np.float64)
     whole[~np.isfinite(whole[:, 2]), 0] = np.nan  # such a point is no line's
+    edges = lines._replace(sides=0, features=None)
     joined = joined_triangulation(
-        whole, lines._replace(sides=0), "even-odd", left_out, lambda begin, end: part(0.5 * begin, 0.5 * end)
+        whole, edges, "even-odd", left_out, lambda begin, end: part(0.5 * begin, 0.5 * end)
     )
     outside = len(array) + np.flatnonzero(np.isnan(joined.points[len(array) :, 2]))
     if len(outside):

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import float_of
-from ._domain import Domain, domain_of
+from ._domain import Domain, domain_of_call
 from ._errors import InputError
 from ._input import doubles_of, whole_points_of, whole_weights_of
 from ._results import Floats, Frozen, Progress, named, run, settings
@@ -142,8 +142,9 @@ class PrescribedAreas(Frozen):
 def centroidal_cells(
     points: ArrayLike,
     weights: ArrayLike | None = None,
-    domain: ArrayLike | None = None,
+    domain: Any = None,
     *,
+    bounds: ArrayLike | None = None,
     iterations: int = 100,
     tolerance: float = 0.0,
     threads: int = 0,
@@ -160,10 +161,8 @@ def centroidal_cells(
         the sites at first, at any positions; x and y count
     weights : n numbers, optional
         as regular_triangulation() takes them; they stay. By default none: Voronoi cells.
-    domain : 4 numbers, 2 by 2, or m by 2, optional
-        where cells end, as RegularTriangulation.power_diagram() takes it: a box (x0, x1, y0, y1), two corners
-        ((x0, y0), (x1, y1)), or the corners of a convex polygon. By default the box of the points. Its area must be a
-        normal double, 2.3e-308 to 1.7e308.
+    domain, bounds
+        where cells end, as power_diagram() takes them. The area must be a normal double, 2.3e-308 to 1.7e308.
     iterations : int
         at most so many, 0 or more
     tolerance : float
@@ -173,7 +172,7 @@ def centroidal_cells(
     """
     array = whole_points_of(points)
     weight_array = None if weights is None else whole_weights_of(weights)
-    within = domain_of("domain", domain)
+    within = domain_of_call(domain, bounds)
     chosen = settings(threads, "triangles", "error", "cpu", progress, False)
     limits = _count(iterations), _tolerance(tolerance)
     with within.named():
@@ -184,8 +183,9 @@ def centroidal_cells(
 def prescribed_areas(
     points: ArrayLike,
     areas: ArrayLike | None = None,
-    domain: ArrayLike | None = None,
+    domain: Any = None,
     *,
+    bounds: ArrayLike | None = None,
     tolerance: float = 1e-6,
     iterations: int = 100,
     threads: int = 0,
@@ -202,7 +202,7 @@ def prescribed_areas(
         the sites, at any positions, no two at the same; x and y count
     areas : n positive numbers, optional
         shares, which are scaled such that they sum to the domain's area. By default all are equal.
-    domain
+    domain, bounds
         as for centroidal_cells()
     tolerance : float
         0 or more: it ends when each area is met to that, relative to itself
@@ -220,7 +220,7 @@ def prescribed_areas(
         if len(shares) != len(array):
             text = f"there are {len(shares)} areas for {len(array)} points"
             raise InputError(text, "weight_count", len(array), len(shares))
-    within = domain_of("domain", domain)
+    within = domain_of_call(domain, bounds)
     chosen = settings(threads, "triangles", "error", "cpu", progress, False)
     limits = _tolerance(tolerance), _count(iterations)
     with within.named():

@@ -317,8 +317,9 @@ class RegularTriangulation(Cells):
 
     def power_diagram(
         self,
-        domain: ArrayLike | None = None,
+        domain: Any = None,
         *,
+        bounds: ArrayLike | None = None,
         box: ArrayLike | None = None,
         threads: int = 0,
         progress: Progress = None,
@@ -327,12 +328,8 @@ class RegularTriangulation(Cells):
 
         Parameters
         ----------
-        domain : 4 numbers, 2 by 2, or m by 2, optional
-            where cells are cut. Either a box: (x0, x1, y0, y1), in VTK's order, or two corners ((x0, y0), (x1, y1)).
-            shapely's bounds (x0, y0, x1, y1) are two corners. Or the corners of a convex polygon, in either direction;
-            the first may be there again at the end. By default the box of the points.
-        box
-            the same argument by another name
+        domain, bounds, box
+            as for the function power_diagram()
         threads, progress
             see the module
 
@@ -341,7 +338,7 @@ class RegularTriangulation(Cells):
         InputError
             the box has no inside, or the polygon is not convex; the error has the numbers
         """
-        within = domain_of_call(box, domain)
+        within = domain_of_call(domain, bounds, box)
         chosen = settings(threads, "polygons", "error", "cpu", progress, False)
         with within.named(), unchanged():
             core = run(chosen, _core.power_diagram, self.points, self.weights, self._core, within.array)
@@ -564,8 +561,9 @@ def alpha_complex(
 def power_diagram(
     points: ArrayLike,
     weights: ArrayLike | None = None,
-    domain: ArrayLike | None = None,
+    domain: Any = None,
     *,
+    bounds: ArrayLike | None = None,
     box: ArrayLike | None = None,
     threads: int = 0,
     non_finite: NonFinite = "error",
@@ -578,15 +576,16 @@ def power_diagram(
     ----------
     points, weights, threads, non_finite, engine, progress
         as for regular_triangulation()
-    domain : 4 numbers, 2 by 2, or m by 2, optional
-        where cells are cut. Either a box: (x0, x1, y0, y1), in VTK's order, or two corners ((x0, y0), (x1, y1)).
-        shapely's bounds (x0, y0, x1, y1) are two corners. Or the corners of a convex polygon, in either direction; the
-        first may be there again at the end. By default the box of the points.
+    domain : 4 numbers, 2 by 2, m by 2, or a polygon, optional
+        where cells are cut. Either a box: (x0, x1, y0, y1), in VTK's order, or two corners ((x0, y0), (x1, y1)). Or a
+        convex polygon: its corners in either direction, also repeated ones, or shapely's. By default the points' box.
+    bounds : 4 numbers, optional
+        instead (x0, y0, x1, y1), as shapely's bounds and GeoPandas's total_bounds
     box
-        the same argument by another name
+        domain by another name
     """
-    domain_of_call(box, domain)  # what is wrong with it is said before the work
+    domain_of_call(domain, bounds, box)  # what is wrong with it is said before the work
     triangulation = regular_triangulation(
         points, weights, facets="polygons", threads=threads, non_finite=non_finite, engine=engine, progress=progress
     )
-    return triangulation.power_diagram(domain, box=box, threads=threads, progress=progress)
+    return triangulation.power_diagram(domain, bounds=bounds, box=box, threads=threads, progress=progress)

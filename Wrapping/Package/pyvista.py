@@ -35,9 +35,11 @@ from ._arguments import Weights, choice_of, flag_of, length_of, numbers_of, weig
 from ._domain import domain_of_call
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
 from ._constraints import PolygonRule
+from ._geometries import Degenerate
+from ._mesh_constrained import constrained_triangulation
 from ._mesh_constraints import constraints_of_call
 from ._mesh_image import to_image
-from ._mesh_lines import breaklines_of_call, lines_of_call
+from ._mesh_lines import breaklines_of_call
 from ._mesh_runs import Output, Run, each_block
 from ._mesh_transport import centroidal_cells, prescribed_areas
 from ._meshes import Block, blocks_of, data_of, is_tree, pass_field_data
@@ -274,10 +276,10 @@ def regular_triangulation(
         has it: what is on the left of a side; holes run clockwise.
     alpha : float, optional
         leave out cells whose circumcircle has a larger radius, compared exactly: the triangles of alpha_complex() of
-        vtkflipflop.arrays, which explains alpha with weights. By default none. All points stay.
+        vtkflipflop.arrays, which explains alpha with weights. By default, and at 0, none. All points stay.
     maximum_edge_length : float, optional
-        leave out cells with a longer edge, measured in the plane and compared exactly. By default none. All points
-        stay. A polygon is judged by its border, a triangle of its fan by its own edges.
+        leave out cells with a longer edge, measured in the plane and compared exactly. By default, and at 0, none. All
+        points stay. A polygon is judged by its border, a triangle of its fan by its own edges.
     projection_plane_mode : {"xy_plane", "best_fitting_plane", "transform"}
         where points are triangulated: by x and y as they are; in the plane with the least sum of squared distances; or
         by x and y after the transform. The result's points are where they were.
@@ -315,8 +317,8 @@ def regular_triangulation(
     run = Run(facets, threads, non_finite, engine, skip_ghost_points, pass_point_data)
     projection = projection_of(projection_plane_mode, transform)
     both = flag_of("return_hidden_points", return_hidden_points)
-    limit = None if maximum_edge_length is None else length_of("maximum_edge_length", maximum_edge_length)
-    radius = None if alpha is None else alpha_of(alpha)
+    limit = None if maximum_edge_length is None else length_of("maximum_edge_length", maximum_edge_length) or None
+    radius = None if alpha is None else alpha_of(alpha) or None
     data = data_of(mesh)
     weighting = weights_of_call(weights, radii, weight_factor, is_tree(data))
     given = constraints_of_call(constraints, polygon_rule, is_tree(data), weighting.values is not None)
@@ -328,71 +330,6 @@ def regular_triangulation(
     return (outputs[0], outputs[1]) if both else outputs[0]
 
 
-def constrained_triangulation(
-    mesh: Mesh,
-    lines: Any,
-    *,
-    closed_lines_as_borders: bool = False,
-    polygon_rule: PolygonRule = "even-odd",
-    facets: Facets = "triangles",
-    threads: int = 0,
-    non_finite: NonFinite = "error",
-    skip_ghost_points: bool = True,
-    pass_point_data: bool = True,
-    progress: Progress = None,
-) -> pv.PolyData:
-    """The exact constrained Delaunay triangulation, in x and y, of a mesh's points and lines with points of their own.
-
-    vtkflipflop.arrays.constrained_triangulation() says which points are added, and which z counts where several are
-    given.
-
-    Parameters
-    ----------
-    mesh : data set, or n by 3 or n by 2 coordinates
-        its cells do not matter
-    lines : PolyData, or geometries
-        lines and polygons with their points, of a PolyData; or what vtkflipflop.arrays.constrained_triangulation()
-        takes. Polygons are borders: cells outside are left out.
-    closed_lines_as_borders : bool
-        whether a line that ends where it begins is a polygon
-    polygon_rule : {"even-odd", "direction"}
-        what is inside polygons, as for regular_triangulation()
-    facets : {"triangles", "polygons"}
-        all points of one circle are a fan of triangles, or one polygon
-    threads : int
-        0: as many as the machine has. The result never depends on it.
-    non_finite : {"error", "ignore"}
-        what NaN and infinity of the mesh lead to: an InputError, or that these points are left out. Lines have to be
-        finite.
-    skip_ghost_points : bool
-        leave out points that "vtkGhostType" marks as another piece's or as blanked
-    pass_point_data : bool
-        whether point data is passed. Of added points it is that of the lines' array of the same name; NaN, or 0 of
-        other types, if there is none; where lines cross, linear along the first, or that of its nearer end.
-    progress : callable, bool or None
-        called with the fraction that is done, 0 to 1, now and then; if it returns False, the call ends with an
-        AbortedError. True shows tqdm's bar.
-
-    Returns
-    -------
-    pyvista.PolyData
-        with the point arrays "PointOrigin", which is 0 for points of the mesh, 1 for those of lines, 2 where lines
-        cross; and "HeightRange", the lowest and the highest z that is given for each point, if lines have heights. In
-        "vtkOriginalPointIds", added points have -1.
-    """
-    run = Run(facets, threads, non_finite, "cpu", skip_ghost_points, pass_point_data)
-    data = data_of(mesh)
-    if is_tree(data):
-        raise TypeError("lines are for one data set, and the mesh is a composite")
-    given = lines_of_call(lines, flag_of("closed_lines_as_borders", closed_lines_as_borders))
-
-    def triangulated(block: Block, report: Report) -> list[pv.PolyData]:
-        return [run.joined(block, lines, given, polygon_rule, report)]
-
-    found: pv.PolyData = each_block(data, triangulated, 1, progress)[0]
-    return found
-
-
 def power_diagram(
     mesh: Mesh,
     weights: ArrayLike | str | None = None,
@@ -400,7 +337,8 @@ def power_diagram(
     radii: ArrayLike | str | None = None,
     weight_factor: float = 1.0,
     box: ArrayLike | None = None,
-    domain: ArrayLike | None = None,
+    domain: Any = None,
+    bounds: ArrayLike | None = None,
     projection_plane_mode: ProjectionPlaneMode = "xy_plane",
     transform: Any = None,
     threads: int = 0,
@@ -424,8 +362,10 @@ def power_diagram(
     box : 2 corners, or 4 numbers, optional
         where cells are cut, in the plane: ((x0, y0), (x1, y1)), or in VTK's order (x0, x1, y0, y1). By default the box
         of the points.
-    domain : m by 2, optional
-        instead of a box the corners of a convex polygon, counter-clockwise
+    domain : m by 2, or a polygon, optional
+        instead of a box the corners of a convex polygon, or shapely's
+    bounds : 4 numbers, optional
+        instead (x0, y0, x1, y1), as shapely's bounds and GeoPandas's total_bounds
     projection_plane_mode : {"xy_plane", "best_fitting_plane", "transform"}
     transform : 4 by 4 numbers, or what has them as its attribute matrix
         as for regular_triangulation(). Corners lie at the lowest z of the points, in the fitted plane, or where the
@@ -451,7 +391,7 @@ def power_diagram(
     """
     run = Run("polygons", threads, non_finite, engine, skip_ghost_points, pass_point_data)
     projection = projection_of(projection_plane_mode, transform)
-    within = domain_of_call(box, domain)
+    within = domain_of_call(domain, bounds, box)
     data = data_of(mesh)
     weighting = weights_of_call(weights, radii, weight_factor, is_tree(data))
 
@@ -473,6 +413,7 @@ def terrain_mesh(
     return_hidden_points: Literal[False] = False,
     threads: int = 0,
     non_finite: NonFinite = "error",
+    degenerate: Degenerate = "error",
     skip_ghost_points: bool = True,
     pass_point_data: bool = True,
     progress: Progress = None,
@@ -491,6 +432,7 @@ def terrain_mesh(
     return_hidden_points: Literal[True],
     threads: int = 0,
     non_finite: NonFinite = "error",
+    degenerate: Degenerate = "error",
     skip_ghost_points: bool = True,
     pass_point_data: bool = True,
     progress: Progress = None,
@@ -508,6 +450,7 @@ def terrain_mesh(
     return_hidden_points: bool = False,
     threads: int = 0,
     non_finite: NonFinite = "error",
+    degenerate: Degenerate = "error",
     skip_ghost_points: bool = True,
     pass_point_data: bool = True,
     progress: Progress = None,
@@ -534,6 +477,8 @@ def terrain_mesh(
         also return the points that are not in the mesh, with the point array "TerrainError": how far each is above it
     threads, non_finite, skip_ghost_points, pass_point_data, progress
         as for regular_triangulation(); a height that is not finite is like such a coordinate
+    degenerate : {"error", "ignore"}
+        as constrained_triangulation() has it for lines
 
     Returns
     -------
@@ -555,7 +500,7 @@ def terrain_mesh(
         raise TypeError("the heights of a composite are the name of a point array")
     levels = Weights(heights, False, 1.0)
     given = constraints_of_call(constraints, "even-odd", is_tree(data), False)
-    own = breaklines_of_call(lines, constraints, heights, is_tree(data))
+    own = breaklines_of_call(lines, constraints, heights, is_tree(data), degenerate)
 
     def meshed(block: Block, report: Report) -> list[pv.PolyData]:
         return run.terrain(block, levels, given, own, limits, report, both)
