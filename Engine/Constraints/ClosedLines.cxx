@@ -108,10 +108,13 @@ private:
     return this->at[end % 2 == 0 ? range.begin : range.end - 1];
   }
 
+  /// Is it at more than one position?
   bool isLine(std::size_t line) const
   {
     const Range range = this->rangeOf(line);
-    return range.end - range.begin > 1;
+    const auto first = this->at.begin() + static_cast<std::ptrdiff_t>(range.begin);
+    const auto last = this->at.begin() + static_cast<std::ptrdiff_t>(range.end);
+    return std::any_of(first, last, [first](std::uint32_t position) { return position != *first; });
   }
 
   /// The lines of each ring, by the ends at which a walk enters them, from the first line on; by

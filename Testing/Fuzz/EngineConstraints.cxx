@@ -182,6 +182,19 @@ void joinAnother(Trial& trial, Bytes& bytes, const Cloud& cloud)
   }
   demand(heights.ranges.size() == all.size() && heights.differing == differing,
     "the number of heights is wrong");
+
+  // Of one feature, its union is by the even-odd rule.
+  const std::vector<std::int64_t> features(static_cast<std::size_t>(split.sides), 7);
+  const auto united = trial.run(-1, { ErrorCode::BadArgument },
+    [&](const Options& options)
+    {
+      std::vector<std::uint8_t> inside(static_cast<std::size_t>(made.cellCount()));
+      cellsInsideFeatures(made, whole, split.view(), features.data(), inside.data(), options);
+      return inside;
+    });
+  demand((united.result ? *united.result : std::vector<std::uint8_t>()) ==
+      insideOf(trial, made, PolygonRule::EvenOdd, { ErrorCode::BadArgument }),
+    "one feature has another inside");
 }
 
 /// Some of the points, within a tolerance of the others: what is left out is counted, and is right.

@@ -27,6 +27,7 @@ struct LineView
 ///
 /// Two lines are joined at a position where exactly two ends of lines are: a line's own two ends
 /// there close it. Where more ends meet, no lines are joined, and those that come there end there.
+/// Lines of one position do not count.
 /// A line, or a sequence of joined lines, that ends where it begins is a ring. It is none
 /// - if it runs along each of its segments an even number of times: it encloses nothing
 /// - if it runs all the way along the outline of the polygons and of the rings before it, in the

@@ -351,8 +351,8 @@ TEST(ClosedLines, AreJoinedEndToEnd)
   };
   const Known all[] = { { { { a, b, c, a } }, {}, { 1 } },
     { { { a, b }, { b, c }, { c, d }, { { 0.0, 4 }, { -0.0, 0 } } }, {}, { 1, 1, 1, 1 } },
-    // It runs as its first line does; a line of no length is a part of it.
-    { { { a, b }, { c, b }, { c, c }, { a, d, c } }, {}, { 1, -1, -1, 1 } },
+    // It runs as its first line does; lines of no length are no part of it.
+    { { { a, b }, { c, b }, { c, c }, { a, d, c }, { a, a } }, {}, { 1, -1, 0, -1, 0 } },
     { { { a, b }, { b, c }, { c, d } }, {}, { 0, 0, 0 } },
     { { { a }, {}, { a, b } }, {}, { 0, 0, 0 } },
     // What encloses nothing.
