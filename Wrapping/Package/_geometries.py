@@ -116,7 +116,8 @@ class LeftOut:
         return True
 
     def empty(self, name: str, number: int) -> None:
-        self.add(InputError(f"{name} is empty: it has no point", "bad_argument", number))
+        sentence = f"{name} is empty: it has no point; degenerate='ignore' leaves it out"
+        self.add(InputError(sentence, "bad_argument", number))
 
 
 def lines_of(values: Any, closed_are_rings: bool, degenerate: Degenerate = "error") -> Lines:
