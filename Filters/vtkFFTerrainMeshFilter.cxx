@@ -280,12 +280,7 @@ int vtkFFTerrainMeshFilter::RequestData(
     [&]
     {
       run.UseCPU("terrain meshes are the CPU's");
-      if (!(this->Tolerance >= 0.0))
-      {
-        std::ostringstream message;
-        message << "Tolerance is " << this->Tolerance << "; it must be 0 or more.";
-        throw vtkFFBadSetting(message.str());
-      }
+      const flipflop::TerrainMeshOptions terrain = this->GetOptions();
       vtkFFConstraints::CheckSource(source, run);
       auto* const points = vtkDataSet::SafeDownCast(data);
       if (points)
@@ -300,8 +295,7 @@ int vtkFFTerrainMeshFilter::RequestData(
       {
         constraints.emplace(this->SourcePoints, source, points, run.Ids);
       }
-      flipflop::TerrainMesh mesh = meshOf(survey, constraints, source,
-        { this->Tolerance, static_cast<std::int64_t>(this->MaximumNumberOfVertices) }, run);
+      flipflop::TerrainMesh mesh = meshOf(survey, constraints, source, terrain, run);
       this->GreatestError = std::max(this->GreatestError, mesh.greatestError);
       this->NumberOfPointsBeyond += static_cast<vtkIdType>(mesh.beyond);
       this->NumberOfUnreachablePoints += static_cast<vtkIdType>(mesh.unreachable);
@@ -326,9 +320,27 @@ int vtkFFTerrainMeshFilter::RequestData(
 }
 
 //------------------------------------------------------------------------------
+flipflop::TerrainMeshOptions vtkFFTerrainMeshFilter::GetOptions() const
+{
+  flipflop::TerrainMeshOptions terrain;
+  terrain.maxVertices = this->MaximumNumberOfVertices;
+  terrain.isFraction = this->Tolerance == -1.0;
+  terrain.tolerance = terrain.isFraction ? 0.01 : this->Tolerance;
+  if (!(terrain.tolerance >= 0.0))
+  {
+    std::ostringstream message;
+    message << "Tolerance is " << this->Tolerance
+            << "; it must be 0 or more, or -1 for a hundredth of the heights' range.";
+    throw vtkFFBadSetting(message.str());
+  }
+  return terrain;
+}
+
+//------------------------------------------------------------------------------
 void vtkFFTerrainMeshFilter::AddToFieldData(
   const flipflop::TerrainMesh& mesh, vtkFieldData* report) const
 {
+  vtkFFOutput::AddValue(report, "FlipFlopTolerance", mesh.tolerance);
   vtkFFOutput::AddValue(report, "FlipFlopGreatestError", mesh.greatestError);
   vtkFFOutput::AddValue(report, "FlipFlopPointsBeyond", mesh.beyond);
   vtkFFOutput::AddValue(report, "FlipFlopUnreachablePoints", mesh.unreachable);

@@ -50,6 +50,7 @@
 namespace flipflop
 {
 struct TerrainMesh;
+struct TerrainMeshOptions;
 }
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -111,8 +112,9 @@ public:
 
   //@{
   /**
-   * Set/Get the greatest vertical distance of a point from the mesh, in the unit of heights. 0 by
-   * default: all points are on the mesh. A negative number and NaN are errors.
+   * Set/Get the greatest vertical distance of a point from the mesh, in the unit of heights. 0: all
+   * points are on the mesh. -1 (the default): a hundredth of the range of the heights, the highest
+   * less the lowest. Another negative number and NaN are errors.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -158,7 +160,7 @@ protected:
   void ForgetReport() override;
 
   int SourcePoints = AUTOMATIC_POINTS;
-  double Tolerance = 0.0;
+  double Tolerance = -1.0;
   vtkIdType MaximumNumberOfVertices = 0;
   double GreatestError = 0.0;
   vtkIdType NumberOfPointsBeyond = 0;
@@ -167,6 +169,7 @@ protected:
   vtkIdType NumberOfHeightDifferences = 0;
 
 private:
+  flipflop::TerrainMeshOptions GetOptions() const;
   void AddToFieldData(const flipflop::TerrainMesh& mesh, vtkFieldData* report) const;
 
   vtkFFTerrainMeshFilter(const vtkFFTerrainMeshFilter&) = delete;

@@ -124,6 +124,7 @@ public:
     , view(points)
     , heightSource(this->source)
     , constraints(given)
+    , toleranceIsFraction(terrain.isFraction)
     , limits{ terrain.tolerance,
       terrain.maxVertices > 0 ? terrain.maxVertices : std::numeric_limits<std::int64_t>::max() }
     , parts(options)
@@ -143,6 +144,8 @@ public:
       return;
     }
     this->refuseConstraints();
+    this->chooseTolerance();
+    result.tolerance = this->limits.tolerance;
     this->choosePositions();
     this->monitor.stage(0.05, 0.15, 1, "sorting");
     const TerrainPoints points(this->source, this->heightSource, this->checkFinite, this->monitor);
@@ -174,6 +177,19 @@ private:
   void fillErrors(TerrainMesh& result)
   {
     std::fill(result.errors.begin(), result.errors.end(), std::numeric_limits<double>::quiet_NaN());
+  }
+
+  /// While the range still has the heights.
+  void chooseTolerance()
+  {
+    if (this->toleranceIsFraction)
+    {
+      const double low = this->range.low[2];
+      const double high = this->range.high[2];
+      double& tolerance = this->limits.tolerance;
+      tolerance =
+        std::isfinite(high - low) ? tolerance * (high - low) : tolerance * high - tolerance * low;
+    }
   }
 
   /// From here on, points are positions, scaled.
@@ -399,7 +415,8 @@ private:
   const PointView view;
   const PointSource heightSource;
   const ConstraintView constraints;
-  const InsertionLimits limits;
+  const bool toleranceIsFraction;
+  InsertionLimits limits;
   ProgressOfParts parts; ///< of calls of other parts of the engine
   TerrainTriangulation::Geometry geometry;
   KeptPoints kept;

@@ -61,11 +61,17 @@ void testTolerance()
   FF_CHECK((run.Kept() == Ids{ 0, 1, 2, 3, 4 }));
   FF_CHECK_EQUAL(run->GetNumberOfPointsBeyond(), 2);
 
-  for (const double tolerance : { -1.0, std::numeric_limits<double>::quiet_NaN() })
+  // The default, as in ParaView's panel.
+  FF_CHECK_EQUAL(vtkNew<vtkFFTerrainMeshFilter>()->GetTolerance(), -1.0);
+  run->SetTolerance(-1.0);
+  run.Run();
+  FF_CHECK_EQUAL(reported(run->GetOutput(), "Tolerance"), 0.01 * 3.0);
+
+  for (const double tolerance : { -2.0, std::numeric_limits<double>::quiet_NaN() })
   {
     run->SetTolerance(tolerance);
-    FF_CHECK(fails(
-      run.Filter, vtkFFErrorCode::SettingError, { "Tolerance is ", "; it must be 0 or more." }));
+    FF_CHECK(fails(run.Filter, vtkFFErrorCode::SettingError,
+      { "Tolerance is ", "; it must be 0 or more, or -1 for a hundredth of the heights' range." }));
   }
   run->SetTolerance(0.0);
   run->SetEngine(vtkFFAlgorithm::ENGINE_CUDA);

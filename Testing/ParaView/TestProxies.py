@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 from paraview import simple
-from vtkflipflop import vtkFFHullFilter
+from vtkflipflop import vtkFFHullFilter, vtkFFTerrainMeshFilter
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 from pipelines import (
@@ -240,7 +240,12 @@ class TestPlane(unittest.TestCase):
         )
 
     def test_terrain_mesh(self):
-        mesh = run(simple.TerrainMeshFlipFlop(Input=real("sainthelens"), Tolerance=20.0))
+        mesh = run(simple.TerrainMeshFlipFlop(Input=real("sainthelens")))
+        self.assertEqual(mesh.Tolerance, vtkFFTerrainMeshFilter().GetTolerance())
+        low, high = mesh.PointData["Elevation"].GetRange()
+        self.assertEqual(mesh.FieldData["FlipFlopTolerance"].GetRange()[0], 0.01 * (high - low))
+        mesh.Tolerance = 20.0
+        run(mesh)
         kept, others = (fetch(mesh, i) for i in range(2))
         self.assertLess(kept.GetNumberOfPoints(), others.GetNumberOfPoints())
         self.assertEqual(kept.GetNumberOfPoints() + others.GetNumberOfPoints(), mesh.NumberOfInputPoints)

@@ -203,7 +203,7 @@ def test_in_the_plane(name, plane):
 @pytest.mark.parametrize("name", MESHES)
 def test_terrain_meshes(name):
     tolerance = {"tolerance": 0.25}, {"SetTolerance": [0.25]}
-    few = {"max_vertices": 20}, {"SetMaximumNumberOfVertices": [20]}
+    few = {"max_vertices": 20}, {"SetTolerance": [0], "SetMaximumNumberOfVertices": [20]}
     heights = {"heights": "u2"}, {"SetInputArrayToProcess": [0, 0, 0, 0, "u2"]}
     for rows in ([tolerance], [HIDDEN, tolerance], [HIDDEN, few], [HIDDEN, tolerance, heights]):
         expect_same(terrain_mesh, vtkFFTerrainMeshFilter, made(name), *joined(*rows))

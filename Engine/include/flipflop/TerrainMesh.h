@@ -23,6 +23,7 @@ struct TerrainMeshOptions
 {
   double tolerance = 0;         ///< the greatest vertical distance, in units of heights: 0 or more
   std::int64_t maxVertices = 0; ///< insert no point once there are so many; 0: no limit
+  bool isFraction = false;      ///< the tolerance is in units of the range of heights
 };
 
 /// The triangulation of the points that were kept, bit for bit what constrainedTriangulation() of
@@ -34,6 +35,7 @@ struct TerrainMesh : ConstrainedTriangulation
   /// the nearest double. 0 where it is a vertex; NaN where it was left out.
   Buffer<double> errors;
 
+  double tolerance = 0;     ///< the tolerance, in units of heights; 0 if there is no point
   double greatestError = 0; ///< the greatest magnitude among them; 0 if there is no point
 
   std::int64_t beyond = 0; ///< how many points are farther from the surface than the tolerance

@@ -403,6 +403,19 @@ TEST(TerrainMesh, ToleranceIsExact)
   given.tolerance = std::nextafter(1.0 / 3, 1);
   EXPECT_EQ(meshOf(given).pointIds.size(), 3);
   EXPECT_EQ(meshOf(given).errors[3], -1.0 / 3);
+
+  // As a fraction of the range of heights, which may exceed the doubles.
+  for (const double unit : { 1.0, 0x1p1023 })
+  {
+    const Cloud cloud = { { 0, 0, -unit }, { 3, 0, unit }, { 0, 3, 0 }, { 1, 1, unit } };
+    for (const double fraction : { 0.5, 0.25 })
+    {
+      const TerrainMesh mesh =
+        terrainMesh(viewOf(cloud), WeightView(), ConstraintView(), { fraction, 0, true });
+      EXPECT_EQ(mesh.tolerance, 2 * fraction * unit);
+      EXPECT_EQ(mesh.pointIds.size(), fraction < 0.5 ? 4 : 3);
+    }
+  }
 }
 
 /// Of one position the lowest id is the vertex. Another height there may be out of reach.
