@@ -67,7 +67,6 @@ void vtkFFPowerCells::Write(vtkFFPowerDiagramFilter* filter, vtkFFPlanarInput& i
   if (filter->GetVisiblePointIds())
   {
     vtkFFOutput::ShowIds(data);
-    data->SetActiveScalars("OriginalPointIds");
   }
   for (const auto& measure : measures)
   {

@@ -32,8 +32,7 @@
  *
  * Another box, arrays and the report do not triangulate again while the input is unchanged: the
  * filter keeps its last triangulation, in 28 bytes for each point. It keeps none of composites, and
- * none if its release data flag is on. If VisiblePointIds is on, these ids are the active scalars
- * of the cells.
+ * none if its release data flag is on.
  *
  * @sa
  * vtkFFPlanarAlgorithm vtkFFRegularTriangulationFilter vtkVoronoi2D

@@ -204,7 +204,7 @@ class TestPlane(unittest.TestCase):
         source = cloud(SQUARE, weight=WEIGHT)
         proxy = diagram_of(source, Weights=["POINTS", "weight"])
         diagram = fetch(proxy)
-        ids = array(diagram.GetCellData(), "OriginalPointIds")
+        ids = array(diagram.GetCellData(), IDS)
         self.assertEqual(list(ids), [0, 1, 2, 3, 4])
         np.testing.assert_array_equal(array(diagram.GetCellData(), "weight"), WEIGHT[:5])
         self.assertEqual(diagram.GetBounds(), (0.0, 2.0, 0.0, 2.0, 4.0, 4.0))

@@ -10,6 +10,7 @@ from qt import QtCore, QtTest, QtWidgets
 
 HULL, DELAUNAY = "Convex Hull (Flip-Flop)", "Delaunay Triangulation 2D (Flip-Flop)"
 DIAGRAM, CONVEXIFY = "Voronoi / Power Diagram (Flip-Flop)", "Convexify (Flip-Flop)"
+TERRAIN = "Terrain Mesh (Flip-Flop)"
 REGULAR = "Regular (Weighted Delaunay) Triangulation (Flip-Flop)"
 
 
@@ -64,6 +65,7 @@ CASES = {
     "regular": (REGULAR, file("autzen.vtp"), 21285),
     "diagram": (DIAGRAM, file("autzen.vtp"), 10653),
     "diagram-image": (DIAGRAM, source("Wavelet"), 441),
+    "terrain": (TERRAIN, file("sainthelens.vtp"), None),
     "convexify-box": (CONVEXIFY, clean_box, 12),
 }
 
@@ -118,7 +120,7 @@ def test(window):
             assert data.HasArray("Normals") and data.GetNormals() is None
         if name.startswith("diagram"):
             gui.check_equal(display.Representation, "Surface With Edges")
-            gui.check_equal(list(display.ColorArrayName), ["CELLS", "OriginalPointIds"])
+            gui.check_equal(list(display.ColorArrayName), ["CELLS", "Elevation" if name == "diagram" else "RTData"])
         if name == "diagram":
             points = simple.FindSource("autzen.vtp").GetDataInformation().GetBounds()
             gui.check_equal(information.GetBounds(), (*points[:5], points[4]))
