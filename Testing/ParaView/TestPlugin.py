@@ -25,6 +25,13 @@ LABELS = {
     "FlipFlopPointsToImage": "Points To Image (Flip-Flop)",
     "FlipFlopTerrainMesh": "Terrain Mesh (Flip-Flop)",
 }
+# What somebody may search for, and a filter whose short help has it. ParaView 5.11 searches labels alone.
+SEARCHED = {
+    "raster": "FlipFlopPointsToImage",
+    "natural": "FlipFlopPointInterpolator2D",
+    "lidar": "FlipFlopTerrainMesh",
+    "weights": "FlipFlopRegularTriangulation",
+}
 # The second input of those that answer questions at the points of the first.
 SECOND = {"FlipFlopSelectEnclosedPoints": "Surface", "FlipFlopPointInterpolator2D": "Source"}
 COMMON = {
@@ -76,7 +83,7 @@ DEFAULTS = {
         "SourcePoints": "Automatic",
         "SplitCrossingConstraints": 0,
     },
-    "FlipFlopPowerDiagram": {**COMMON, **ENGINES, **WEIGHTS, **PLANE, **BOX, "VisiblePointIds": 1},
+    "FlipFlopPowerDiagram": {**COMMON, **ENGINES, **WEIGHTS, **PLANE, **BOX},
     "FlipFlopConvexify": {**COMMON, **FACETS, "UseKernelPoint": 0, "KernelPoint": [0.0, 0.0, 0.0]},
     "FlipFlopRegularTriangulation": {
         **COMMON,
@@ -125,7 +132,7 @@ DEFAULTS = {
     "FlipFlopTerrainMesh": {
         **COMMON,
         **ENGINES,
-        "Tolerance": 1.0,
+        "Tolerance": -1.0,
         "MaximumNumberOfVertices": 0,
         "Heights": ["POINTS", "None"],
         "SourcePoints": "Automatic",
@@ -170,27 +177,27 @@ hull.UpdatePipeline()
 print("cells", hull.GetDataInformation().GetNumberOfCells())
 """
 
-    def execute(self, *command, **environment):
-        """What a command prints; it must succeed, and without a word of error."""
+    def execute(self, *command, complains=False, **environment):
+        """What a command prints; it must succeed, and, unless VTK complains, without a word of error."""
         clean = {k: v for k, v in os.environ.items() if not k.startswith("PV_PLUGIN")}
         result = subprocess.run(
             command, env={**clean, **environment}, capture_output=True, text=True, timeout=120
         )
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(result.stderr, "")
+        self.assertEqual(result.stderr != "", complains, result.stderr)
         return result.stdout.splitlines()
 
-    def run_with(self, load="", plugins=None, **environment):
+    def run_with(self, load="", plugins=None, **settings):
         """The script's lines. Plugins are the text of a configuration file."""
         with tempfile.TemporaryDirectory() as folder:
             script = os.path.join(folder, "load.py")
             with open(script, "w") as file:
                 file.write(self.SCRIPT.format(load=load))
             if plugins:
-                environment["PV_PLUGIN_CONFIG_FILE"] = os.path.join(folder, "plugins.xml")
-                with open(environment["PV_PLUGIN_CONFIG_FILE"], "w") as file:
+                settings["PV_PLUGIN_CONFIG_FILE"] = os.path.join(folder, "plugins.xml")
+                with open(settings["PV_PLUGIN_CONFIG_FILE"], "w") as file:
                     file.write(plugins)
-            return self.execute(os.environ["FLIPFLOP_PVPYTHON"], "--dr", script, **environment)
+            return self.execute(os.environ["FLIPFLOP_PVPYTHON"], "--dr", script, **settings)
 
     def test_load_plugin(self):
         load = f"simple.LoadPlugin({PLUGIN!r}, remote=False, ns=vars(simple))"
@@ -204,6 +211,28 @@ print("cells", hull.GetDataInformation().GetNumberOfCells())
         plugins = f'<Plugins><Plugin name="FlipFlop" filename="{PLUGIN}"/></Plugins>'
         lines = self.run_with(plugins=plugins)
         self.assertEqual(lines, ["before True", "after True", "cells 96"])
+
+    def test_without_input(self):
+        """Each proxy can be made where nothing is open, which VTK minds; a crash would end the process."""
+        make = """
+for group, module in (("filters", simple), ("writers", simple.servermanager.writers)):
+    manager = simple.servermanager.ProxyManager()
+    names = manager.SMProxyManager.GetProxyDefinitionManager().NewSingleGroupIterator(group)
+    while not names.IsDoneWithTraversal():
+        if names.GetProxyName().startswith("FlipFlop"):
+            label = manager.GetPrototypeProxy(group, names.GetProxyName()).GetXMLLabel()
+            simple.SetActiveSource(None)
+            getattr(module, "".join(filter(str.isalnum, label)))()
+            print(names.GetProxyName(), flush=True)
+        names.GoToNextItem()
+late = simple.PointInterpolator2DDelaunayFlipFlop(Input=simple.Sphere())
+late.Source = simple.Sphere()
+late.UpdatePipeline()
+print(late.PointData["vtkValidPointMask"].GetRange(), late.Weights)
+"""
+        lines = self.run_with(make, complains=True, PV_PLUGIN_PATH=os.environ["PV_PLUGIN_PATH"])
+        self.assertEqual(set(lines[1:-3]), {*LABELS, "FlipFlopStreamedWriter"})
+        self.assertEqual(lines[-3], "(1.0, 1.0) ['POINTS', 'None']")
 
     def test_installed(self):
         """In a folder that was not known when it was built; so is the Python package, with and without it."""
@@ -288,6 +317,10 @@ class TestProxies(unittest.TestCase):
             self.assertGreater(proxy.FieldData["FlipFlopSecondsTotal"].GetRange()[0], 0.0)
 
     def test_texts(self):
+        with open(os.path.join(os.environ["FLIPFLOP_SOURCE"], "Documentation", "ParaView.md")) as file:
+            page = file.read()
+        for word, name in SEARCHED.items():
+            self.assertIn(word, self.source(name).SMProxy.GetDocumentation().GetShortHelp().lower())
         for name, label in LABELS.items():
             proxy = self.source(name).SMProxy
             self.assertEqual(proxy.GetXMLLabel(), label)
@@ -297,6 +330,7 @@ class TestProxies(unittest.TestCase):
             self.assertGreater(len(documentation.GetDescription().split()), 80, name)
             self.assertIn("(Flip-Flop)", label)
             self.assertIn("error", documentation.GetDescription())
+            self.assertIn(label, page)
             iterator = proxy.NewPropertyIterator()
             iterator.Begin()
             count = 0

@@ -13,4 +13,4 @@ if six:
 else:
     from PyQt5 import QtCore, QtGui, QtTest, QtWidgets, sip
 
-__all__ = ["QtCore", "QtGui", "QtTest", "QtWidgets", "sip"]
+__all__ = ["QtCore", "QtGui", "QtTest", "QtWidgets", "sip", "six"]
