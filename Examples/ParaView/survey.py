@@ -3,17 +3,24 @@
 """
 A terrain survey: points with heights, a breakline, a small mesh within a tolerance of all points, and a raster.
 
-A trace as ParaView writes it, shortened. Load the plugin FlipFlop, then choose File > Load State, or Tools >
-Python Shell > Run Script; or, where this source tree is the current folder:
+A trace as ParaView writes it, shortened. It needs the plugin FlipFlop, and this source tree as the current folder.
+In the window, choose File > Load State, or Tools > Python Shell > Run Script. Without one, it draws a picture:
 
     pvpython Examples/ParaView/survey.py [PICTURE.png [STATE.pvsm]]
 """
+import os
 import sys
 
 from paraview.simple import *
 
+DATA = 'Data/sainthelens.vtp'
+if 'TerrainMeshFlipFlop' not in globals():
+    raise RuntimeError('survey.py needs the plugin FlipFlop: set PV_PLUGIN_PATH to its folder, or load it.')
+if not os.path.exists(DATA):
+    raise RuntimeError(f'survey.py needs {DATA}: make the source tree the current folder, not {os.getcwd()}.')
+
 # The survey: a digital elevation model of Mount St Helens, in metres.
-points = XMLPolyDataReader(registrationName='sainthelens.vtp', FileName=['Data/sainthelens.vtp'])
+points = XMLPolyDataReader(registrationName='sainthelens.vtp', FileName=[DATA])
 
 # A breakline with points of its own: the rim of the crater. Its heights are an array, too, as those of the points.
 line = PolyLineSource(registrationName='Line')
@@ -136,7 +143,10 @@ for view in views:
 SetActiveView(views[1])
 SetActiveSource(mesh)
 
-if len(sys.argv) > 1:
-    SaveScreenshot(sys.argv[1], layout, ImageResolution=[1000, 680])
-if len(sys.argv) > 2:
-    SaveState(sys.argv[2])
+# Not in the window, which shows all.
+if os.path.basename(sys.argv[0]) == 'survey.py':
+    picture = sys.argv[1] if len(sys.argv) > 1 else 'survey.png'
+    SaveScreenshot(picture, layout, ImageResolution=[1000, 680])
+    print('The picture is', os.path.abspath(picture))
+    if len(sys.argv) > 2:
+        SaveState(sys.argv[2])

@@ -54,13 +54,24 @@ def test(window):
     greatest = mesh.FieldData["FlipFlopGreatestError"].GetRange()[0]
     assert 19 < greatest <= mesh.Tolerance == 20.0, greatest
 
-    by_trace = os.path.join(gui.output, "trace.png")
-    script = os.path.join(EXAMPLES, "survey.py")
-    result = subprocess.run(
-        [os.environ["FLIPFLOP_PVPYTHON"], "--dr", script, by_trace],
-        cwd=SOURCE, capture_output=True, text=True, timeout=100,
-    )  # fmt: skip
-    gui.check_equal((result.returncode, result.stderr), (0, ""))
+    # Without a window, the trace draws; without what it needs, it names that.
+    script, folder = os.path.join(EXAMPLES, "survey.py"), os.path.join(gui.output, "trace")
+    os.makedirs(folder, exist_ok=True)
+
+    def trace(**environment):
+        return subprocess.run(
+            [os.environ["FLIPFLOP_PVPYTHON"], "--dr", script], env={**os.environ, **environment},
+            cwd=folder, capture_output=True, text=True, timeout=100,
+        )  # fmt: skip
+
+    for missing, environment in (("the plugin FlipFlop", {"PV_PLUGIN_PATH": ""}), ("Data/sainthelens.vtp", {})):
+        result = trace(**environment)
+        assert result.returncode != 0 and f"survey.py needs {missing}: " in result.stderr, result.stderr
+    os.symlink(os.path.join(SOURCE, "Data"), os.path.join(folder, "Data"))
+    result = trace()
+    os.remove(os.path.join(folder, "Data"))
+    by_trace = os.path.join(folder, "survey.png")
+    gui.check_equal((result.returncode, result.stdout, result.stderr), (0, f"The picture is {by_trace}\n", ""))
     check(by_trace)
 
     # In the window, the trace selects the filter to try, so that its panel shows. A state selects nothing.
@@ -75,6 +86,7 @@ def test(window):
     yield from window.stands_still()
     window.screen("selected.png")
     gui.check_equal(window.messages(), "")
+    assert not os.path.exists("survey.png")
 
 
 gui.run(test)
