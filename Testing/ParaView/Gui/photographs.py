@@ -3,11 +3,7 @@
 """
 The pictures of Documentation/ParaView.md: ParaView's window, photographed where a user would look.
 
-    PV_PLUGIN_PATH=BUILD/lib/paraview-5.11/plugins/FlipFlop \\
-      Testing/ParaView/Gui/run-in-paraview.sh PARAVIEW/bin/paraview \\
-      Testing/ParaView/Gui/photographs.py FOLDER
-
-leaves them in FOLDER. gui.py tells how a script gets at the window.
+Scripts/photograph-paraview.sh takes them. gui.py shows how a script gets at the window.
 """
 import os
 
@@ -79,11 +75,15 @@ def manager(window):
     """The dialog that lists the plugin."""
     yield from window.choose("Tools", "Manage Plugins...")
     dialog = yield from window.dialog("pqPluginDialog")
-    dialog.resize(760, 340)
+    dialog.resize(760, 360)
     tree = dialog.findChild(QtWidgets.QTreeWidget, "localPlugins")
     row = next(i for i in range(tree.topLevelItemCount()) if tree.topLevelItem(i).text(0) == "FlipFlop")
     tree.setCurrentItem(tree.topLevelItem(row))
     tree.expandItem(tree.topLevelItem(row))
+    # Where the page says that it is, on whatever machine.
+    items = [tree.topLevelItem(row).child(i) for i in range(tree.topLevelItem(row).childCount())]
+    location = next(item for item in items if item.text(0) == "Location")
+    location.setText(1, location.text(1).replace(os.environ["FLIPFLOP_BUILD"], "/opt/flipflop"))
     yield from photograph(window, "paraview-plugin-manager.png", area_of(tree))
     dialog.close()
     yield lambda: gui.gone(dialog)
@@ -144,7 +144,7 @@ def triangulation(window):
     simple.Hide(districts)
     left = simple.GetActiveView()
     display = simple.Show(found, Representation="Surface With Edges")
-    by_height(display, left, "POINTS")
+    by_array("Elevation", display, left, "POINTS")
     as_points(simple.OutputPort(found, 1), HIDDEN, 6)
     look_down(left)
     layout = simple.GetLayout()
@@ -152,7 +152,7 @@ def triangulation(window):
     layout.SplitHorizontal(layout.GetViewLocation(left), 0.5)
     layout.AssignView(layout.GetViewLocation(left) + 1, right)
     cells = simple.Show(districts, right, Representation="Surface With Edges")
-    by_height(cells, right, "CELLS")
+    by_array("Elevation", cells, right, "CELLS")
     look_down(right)
     simple.SetActiveView(left)
     simple.SetActiveSource(found)
@@ -187,7 +187,7 @@ def diagram(window):
     display.AmbientColor = display.DiffuseColor = (1.0, 1.0, 1.0)
     simple.SetActiveSource(found)
     view = simple.GetActiveView()
-    simple.GetDisplayProperties(found).SetScalarBarVisibility(view, False)
+    by_array("radius", simple.GetDisplayProperties(found), view, "CELLS")
     view.InteractionMode = "3D"
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = (130, -130, 420), (155, 100, 0), (0, 1, 0)
     panel = window.find(QtWidgets.QWidget, "propertiesPanel")
@@ -199,7 +199,9 @@ def diagram(window):
 
 
 def survey(window):
-    """The session of Examples/ParaView."""
+    """The session of Examples/ParaView, in a window that is large enough for its letters."""
+    simple.ResetSession()
+    window.window.setGeometry(gui.application.primaryScreen().geometry())
     simple.LoadState(
         os.path.join(os.environ["FLIPFLOP_SOURCE"], "Examples", "ParaView", "survey.pvsm"), data_directory=gui.data(""))
     yield from window.stands_still()
@@ -222,10 +224,11 @@ def error(window):
     yield from photograph(window, "paraview-error.png", area_of(messages))
 
 
-def by_height(display, view, association):
+def by_array(name, display, view, association):
     """No bars: there is no room for them."""
-    display.SetScalarBarVisibility(view, False)
-    simple.ColorBy(display, (association, "Elevation"))
+    if display.ColorArrayName[1]:
+        display.SetScalarBarVisibility(view, False)
+    simple.ColorBy(display, (association, name))
     display.SetScalarBarVisibility(view, False)
 
 
