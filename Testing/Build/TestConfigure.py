@@ -26,7 +26,7 @@ ENGINE_ALONE = "-DFLIPFLOP_BUILD_FILTERS=OFF"
 ADD_SUBDIRECTORY = f'add_subdirectory("{TOP.as_posix()}" FlipFlop)'
 # What the page for C++ users says, as it stands there.
 BLOCKS = re.findall(r"```cmake\n(.*?)```", (TOP / "Documentation" / "Cxx.md").read_text(), re.DOTALL)
-_, FETCH_CONTENT, MODULES = BLOCKS  # the first is built by Testing/Cxx/RunPackage.cmake
+INSTALLED, FETCH_CONTENT, MODULES = BLOCKS  # the first is built by Testing/Cxx/RunPackage.cmake
 VTK_MODULES = """
 include(GNUInstallDirs)
 find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel CommonTransforms
@@ -122,6 +122,16 @@ class TestConfigure(unittest.TestCase):
 
     def test_fetch_content(self):
         self.assert_libraries_alone(self.host(FETCH_CONTENT, ENGINE_ALONE))
+
+    @unittest.skipUnless(HAS_VTK, "no VTK")
+    def test_fetch_content_after_vtk(self):
+        """The page's first project, with the second block in place of the installed package."""
+        lines = INSTALLED.replace("find_package(FlipFlop REQUIRED)\n", FETCH_CONTENT)
+        self.assertNotEqual(lines, INSTALLED)
+        program = self.folder / "main.cxx"
+        program.write_text("int main() {}")
+        lines = lines.replace("main.cxx", program.as_posix())
+        self.assertTrue(self.host(lines).compiles("main.cxx"))
 
     @unittest.skipUnless(HAS_VTK, "no VTK")
     def test_subdirectory_with_filters(self):

@@ -16,31 +16,17 @@ run("${CMAKE_COMMAND}" --install "${BINARY_DIR}" --prefix "${WORK_DIR}/prefix")
 # Installed here and there, the package must find itself wherever it is taken.
 file(RENAME "${WORK_DIR}/prefix" "${WORK_DIR}/moved")
 
-# The project of the page for C++ users: its first block of CMake, with README's program.
+# The project of the page for C++ users: its first block of CMake and README's program, both as they stand there.
 file(READ "${SOURCE_DIR}/Documentation/Cxx.md" page)
 string(REGEX MATCH "```cmake\n([^`]*)```" block "${page}")
-file(WRITE "${WORK_DIR}/user/CMakeLists.txt" "cmake_minimum_required(VERSION 3.20)
-project(User LANGUAGES C CXX)
-${CMAKE_MATCH_1}
-find_package(VTK REQUIRED COMPONENTS IOXML)
-target_link_libraries(app PRIVATE VTK::IOXML)
+file(WRITE "${WORK_DIR}/user/CMakeLists.txt" "${CMAKE_MATCH_1}
 enable_testing()
 add_test(NAME app COMMAND app WORKING_DIRECTORY \"${SOURCE_DIR}\")
 set_tests_properties(app PROPERTIES PASS_REGULAR_EXPRESSION \"305 vertices, 596 facets\")
 ")
 file(READ "${SOURCE_DIR}/README.md" page)
 string(REGEX MATCH "```cpp\n([^`]*)```" block "${page}")
-file(WRITE "${WORK_DIR}/user/main.cxx" "#include <vtkFFHullFilter.h>
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkXMLPolyDataReader.h>
-
-#include <iostream>
-
-int main()
-{
-${CMAKE_MATCH_1}}
-")
+file(WRITE "${WORK_DIR}/user/main.cxx" "${CMAKE_MATCH_1}")
 
 foreach(user IN ITEMS "${WORK_DIR}/user" "${SOURCE_DIR}/Examples/Cxx" "${SOURCE_DIR}/Testing/Cxx/Package")
   string(MAKE_C_IDENTIFIER "${user}" name)
