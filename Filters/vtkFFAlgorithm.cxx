@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFAlgorithm.h"
 
+#include "vtkFFErrorCode.h"
+#include "vtkFFRun.h"
+
 #include <flipflop/Engines.h>
 
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 
 #include <atomic>
@@ -38,6 +42,31 @@ int vtkFFAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkFFAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // The executive's first request of each run, also of one that has no data set to work on.
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()) &&
+    vtkFFRun::FindDataSet(this, inputVector, this->DataSet, this->NumberOfDataSets))
+  {
+    this->ForgetReport();
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+void vtkFFAlgorithm::ForgetReport()
+{
+  this->SetErrorCode(vtkFFErrorCode::NoError);
+  this->IsAborted = false;
+  this->EngineUsed = ENGINE_NONE;
+  this->EngineReason = "no engine has run";
+  this->Dimension = -1;
+  this->NumberOfInputPoints = 0;
+  this->NumberOfNonFinitePoints = 0;
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,9 @@
  * alone. It does not depend on the engine, nor on the number of threads, nor on the caller's
  * floating-point environment, which observers of progress have.
  *
+ * A setting keeps what it is given, but for modes and counts, which end at their range's ends. A
+ * number that is not allowed is an error of the next Update().
+ *
  * An error is one message, of vtkErrorMacro: a sentence that names what is wrong and where. After
  * it, the output is empty, and GetErrorCode() is one of vtkFFErrorCode. A run reports progress. It
  * stops soon after a request to abort; its output is then empty, too, but for the data sets of a
@@ -267,6 +270,8 @@ protected:
   ~vtkFFAlgorithm() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   /**
    * Change a setting that leaves valid what is kept of the last run, as Modified() does not.
@@ -283,9 +288,10 @@ protected:
   void OutputModified() { this->Superclass::Modified(); }
 
   /**
-   * Forget what a subclass reports of its last run, for the next one.
+   * Forget what the last run reported: before each run, and before the first data set of a
+   * composite, of which there may be none. A subclass adds what is its own.
    */
-  virtual void ForgetReport() {}
+  virtual void ForgetReport();
 
   int Engine = ENGINE_AUTOMATIC;
   vtkIdType CUDAThreshold; ///< VTK 9.1 cannot wrap this default: see the constructor
@@ -311,7 +317,8 @@ private:
   int Dimension = -1;
   vtkIdType NumberOfInputPoints = 0;
   vtkIdType NumberOfNonFinitePoints = 0;
-  vtkIdType LastBlock = -1; ///< of a composite, which the executive had the filter work on
+  vtkIdType DataSet = -1; ///< of a composite, that the executive has come to
+  vtkIdType NumberOfDataSets = 0;
   bool IsAborted = false;
 };
 VTK_ABI_NAMESPACE_END

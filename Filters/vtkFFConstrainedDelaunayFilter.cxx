@@ -156,12 +156,6 @@ vtkPolyData* vtkFFConstrainedDelaunayFilter::GetSource()
 }
 
 //------------------------------------------------------------------------------
-void vtkFFConstrainedDelaunayFilter::SetMaximumEdgeLength(double length)
-{
-  this->ChangeLength(this->MaximumEdgeLength, length, "Maximum Edge Length", "edges of any length");
-}
-
-//------------------------------------------------------------------------------
 int vtkFFConstrainedDelaunayFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 0)
@@ -186,6 +180,7 @@ int vtkFFConstrainedDelaunayFilter::RequestData(
     [&]
     {
       run.UseCPU("constraints are the CPU's");
+      vtkFFRun::CheckLength(this->MaximumEdgeLength, "Maximum Edge Length", "edges of any length");
       vtkFFConstraints::CheckSource(source, run);
       vtkFFPlanarInput input(this, run);
       input.Take(points);

@@ -185,7 +185,10 @@ public:
    * Set/Get the length of the longest edge that the cells of port 0 may have, as
    * vtkFFRegularTriangulationFilter has it. 0 by default: any. All points stay in the output.
    */
-  virtual void SetMaximumEdgeLength(double length);
+  virtual void SetMaximumEdgeLength(double length)
+  {
+    this->ChangeOutput(this->MaximumEdgeLength, length);
+  }
   vtkGetMacro(MaximumEdgeLength, double);
   //@}
 

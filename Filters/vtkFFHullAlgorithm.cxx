@@ -92,6 +92,7 @@ vtkFFHullAlgorithm::~vtkFFHullAlgorithm() = default;
 //------------------------------------------------------------------------------
 void vtkFFHullAlgorithm::ForgetReport()
 {
+  this->Superclass::ForgetReport();
   this->Volume = 0.0;
   this->Area = 0.0;
 }

@@ -141,10 +141,7 @@ vtkFFHullFilter::~vtkFFHullFilter() = default;
 //------------------------------------------------------------------------------
 int vtkFFHullFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Composites come first: so the executive leaves them whole.
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  vtkFFInput::AcceptWhole(info);
   return 1;
 }
 

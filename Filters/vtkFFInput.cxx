@@ -9,6 +9,7 @@
 #include "Support/FloatingPointEnvironment.h"
 #include <flipflop/Buffer.h>
 
+#include "vtkAlgorithm.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -219,13 +220,23 @@ vtkSmartPointer<vtkPointSet> vtkFFInput::PointsOf(vtkDataObject* data, const std
   if (!image && !grid)
   {
     throw std::runtime_error("The data" + ofWhat + " is a " + data->GetClassName() +
-      ". It must be a vtkPointSet, vtkImageData or vtkRectilinearGrid.");
+      ". It must be a vtkDataSet, or a composite of these.");
   }
   auto result = vtkSmartPointer<vtkPolyData>::New();
   result->SetPoints(image ? layOut(image) : layOut(grid, ofWhat));
   result->GetPointData()->ShallowCopy(vtkDataSet::SafeDownCast(data)->GetPointData());
   vtkFFOutput::PassFieldData(data, result);
   return result;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFInput::AcceptWhole(vtkInformation* port)
+{
+  // The first keeps the executive from iterating over a composite; it would be the only one that
+  // VTK's own message names. So PointsOf() refuses other types.
+  port->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
 }
 
 //------------------------------------------------------------------------------

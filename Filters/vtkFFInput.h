@@ -58,6 +58,11 @@ public:
   static vtkSmartPointer<vtkPointSet> PointsOf(vtkDataObject* data, const std::string& ofWhat);
 
   /**
+   * A port accepts data sets, and composites as a whole.
+   */
+  static void AcceptWhole(vtkInformation* port);
+
+  /**
    * Ask for all of an input, whatever part of an output is asked for. Null: there is none.
    */
   static void RequestAll(vtkInformation* input);

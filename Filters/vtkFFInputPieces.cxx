@@ -65,6 +65,27 @@ bool canDeliver(vtkInformation* info, std::set<vtkExecutive*>& visited)
   return false;
 }
 
+/// Has the next update run all algorithms upstream: VTK takes one that failed for one that is up to
+/// date, without data, until it is modified.
+void forgetFailure(vtkInformation* info, std::set<vtkExecutive*>& visited)
+{
+  int port = 0;
+  vtkExecutive* const producer = producerOf(info, port);
+  if (!producer || !visited.insert(producer).second)
+  {
+    return;
+  }
+  vtkAlgorithm* const algorithm = producer->GetAlgorithm();
+  algorithm->Modified();
+  for (int i = 0; i < algorithm->GetNumberOfInputPorts(); ++i)
+  {
+    for (int k = 0; k < algorithm->GetNumberOfInputConnections(i); ++k)
+    {
+      forgetFailure(producer->GetInputInformation(i, k), visited);
+    }
+  }
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -106,6 +127,8 @@ vtkDataObject* vtkFFInputPieces::Check(vtkInformation* input, bool isThere)
   vtkDataObject* const piece = isThere ? vtkDataObject::GetData(input) : nullptr;
   if (!piece)
   {
+    std::set<vtkExecutive*> visited;
+    forgetFailure(input, visited);
     throw std::runtime_error("The input did not deliver it. Its own error says why.");
   }
   return piece;

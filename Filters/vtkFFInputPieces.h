@@ -43,7 +43,7 @@ public:
   static vtkDataObject* Take(vtkInformation* input, bool isThere);
 
   /**
-   * The same after an update, which brought it or not.
+   * The same after an update, which brought it or not. If not, the next one tries again.
    */
   static vtkDataObject* Check(vtkInformation* input, bool isThere);
 

@@ -41,19 +41,6 @@ void vtkFFPlanarAlgorithm::StoreTransform(vtkAbstractTransform* transform)
 }
 
 //------------------------------------------------------------------------------
-void vtkFFPlanarAlgorithm::ChangeLength(
-  double& setting, double length, const char* name, const char* zero)
-{
-  if (!(length >= 0.0))
-  {
-    vtkErrorMacro(<< name << " is to be " << length << "; it must be a length, or 0 for " << zero
-                  << ".");
-    return;
-  }
-  this->ChangeOutput(setting, length);
-}
-
-//------------------------------------------------------------------------------
 vtkMTimeType vtkFFPlanarAlgorithm::GetMTime()
 {
   const vtkMTimeType own = this->Superclass::GetMTime();
@@ -63,6 +50,7 @@ vtkMTimeType vtkFFPlanarAlgorithm::GetMTime()
 //------------------------------------------------------------------------------
 void vtkFFPlanarAlgorithm::ForgetReport()
 {
+  this->Superclass::ForgetReport();
   this->NumberOfHiddenPoints = 0;
   this->NumberOfDroppedCells = 0;
 }

@@ -184,12 +184,6 @@ protected:
   vtkFFPlanarAlgorithm();
   ~vtkFFPlanarAlgorithm() override;
 
-  /**
-   * ChangeOutput() of a length. A negative number and NaN are refused with an error, which has this
-   * name and what 0 stands for.
-   */
-  void ChangeLength(double& setting, double length, const char* name, const char* zero);
-
   void ForgetReport() override;
 
   int ProjectionPlaneMode = XY_PLANE;

@@ -363,7 +363,7 @@ std::int64_t vtkFFPlanarInput::VisitPoints(const PointVisitor& visit) const
 //------------------------------------------------------------------------------
 void vtkFFPlanarInput::LookForVerticalPlane(const flipflop::Triangulation& triangulation) const
 {
-  if (!this->IsXYPlane() || triangulation.dimension != 1)
+  if (this->Fitted || triangulation.dimension != 1)
   {
     return;
   }
@@ -375,7 +375,7 @@ void vtkFFPlanarInput::LookForVerticalPlane(const flipflop::Triangulation& trian
       this->Points->GetPoint(static_cast<vtkIdType>(id), points.emplace_back().data());
     }
   }
-  if (HullInSpace(points, this->Run.Options).dimension == 2)
+  if (HullInSpace(points, this->Run.Options).dimension > 1)
   {
     this->WarnOfVerticalPlane();
   }
@@ -414,10 +414,10 @@ flipflop::Hull vtkFFPlanarInput::HullInSpace(
 //------------------------------------------------------------------------------
 void vtkFFPlanarInput::WarnOfVerticalPlane() const
 {
-  vtkWarningWithObjectMacro(
-    this->Filter, << "The points" << this->Run.OfWhat()
-                  << " are in one vertical plane, so in the XY plane they are on a line. To "
-                     "triangulate them in their own plane, set Projection Plane Mode to "
-                     "Best-Fitting Plane.");
+  vtkWarningWithObjectMacro(this->Filter,
+    << "The points" << this->Run.OfWhat()
+    << (this->Transform ? " are on a line after the Transform, and were not before."
+                        : " are in one vertical plane, so in the XY plane they are on a line.")
+    << " To triangulate them in their own plane, set Projection Plane Mode to Best-Fitting Plane.");
 }
 VTK_ABI_NAMESPACE_END

@@ -130,7 +130,8 @@ flipflop::ImageGrid gridOf(vtkFFPointsToImage* filter, const Box& box)
 
 std::array<int, 6> extentOf(std::int64_t columns, std::int64_t rows)
 {
-  return { { 0, static_cast<int>(columns) - 1, 0, static_cast<int>(rows) - 1, 0, 0 } };
+  return { { 0, static_cast<int>(columns) - 1, 0, static_cast<int>(rows) - 1, 0,
+    columns > 0 ? 0 : -1 } };
 }
 
 /// Where the image of a plane is in space.
@@ -431,7 +432,9 @@ int vtkFFPointsToImage::RequestData(
       int(CLOSEST_POINT) == int(vtkFFPointInterpolator2D::CLOSEST_POINT),
     "these are the values of vtkFFInterpolatedData");
   vtkImageData* const output = vtkImageData::GetData(outputVector);
-  output->GetPointData()->Initialize(); // of an image, the executive leaves the last run's scalars
+  // The executive leaves the last run's scalars and geometry.
+  output->GetPointData()->Initialize();
+  setGeometry(flipflop::ImageGrid(), std::nullopt, output);
   vtkPolyData* const source = vtkPolyData::GetData(inputVector[1]);
   vtkFFRun run(this, "Image of points", outputVector);
   run.Do(

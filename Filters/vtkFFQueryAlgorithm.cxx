@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFQueryAlgorithm.h"
 
+#include "vtkFFErrorCode.h"
 #include "vtkFFInput.h"
+#include "vtkFFRun.h"
 
 #include "vtkDataSet.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
@@ -30,14 +33,28 @@ void vtkFFQueryAlgorithm::Modified()
 //------------------------------------------------------------------------------
 int vtkFFQueryAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   if (port == 1)
   {
-    // The first type that is asked for keeps the executive from taking a composite apart.
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    vtkFFInput::AcceptWhole(info);
   }
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkFFQueryAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // As in vtkFFAlgorithm.
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()) &&
+    vtkFFRun::FindDataSet(this, inputVector, this->DataSet, this->NumberOfDataSets))
+  {
+    this->SetErrorCode(vtkFFErrorCode::NoError);
+    this->IsAborted = false;
+    this->IsSecondAtFault = false;
+    this->Dimension = -1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------

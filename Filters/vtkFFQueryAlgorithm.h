@@ -109,6 +109,8 @@ protected:
   ~vtkFFQueryAlgorithm() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
@@ -143,7 +145,8 @@ private:
 
   vtkTimeStamp ResultTime; ///< of the last Modified(): what was kept before is not valid
 
-  vtkIdType LastBlock = -1; ///< of a composite, which the executive had the filter work on
+  vtkIdType DataSet = -1; ///< of a composite, that the executive has come to
+  vtkIdType NumberOfDataSets = 0;
   bool IsAborted = false;
 };
 VTK_ABI_NAMESPACE_END

@@ -31,18 +31,6 @@ vtkFFRegularTriangulationFilter::vtkFFRegularTriangulationFilter()
 vtkFFRegularTriangulationFilter::~vtkFFRegularTriangulationFilter() = default;
 
 //------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::SetAlpha(double alpha)
-{
-  this->ChangeLength(this->Alpha, alpha, "Alpha", "the whole triangulation");
-}
-
-//------------------------------------------------------------------------------
-void vtkFFRegularTriangulationFilter::SetMaximumEdgeLength(double length)
-{
-  this->ChangeLength(this->MaximumEdgeLength, length, "Maximum Edge Length", "edges of any length");
-}
-
-//------------------------------------------------------------------------------
 int vtkFFRegularTriangulationFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -50,6 +38,7 @@ int vtkFFRegularTriangulationFilter::RequestData(
   run.Do(
     [&]
     {
+      vtkFFTriangulationOutput outputs(this, run);
       vtkFFPlanarInput input(this, run);
       input.Take(vtkDataObject::GetData(inputVector[0]));
       flipflop::Triangulation triangulation =
@@ -67,7 +56,6 @@ int vtkFFRegularTriangulationFilter::RequestData(
         certificate =
           flipflop::certificate(input.GetPlane(), input.GetWeights(), triangulation, run.Options);
       }
-      vtkFFTriangulationOutput outputs(this, run);
       const std::int64_t dropped =
         outputs.DropCells(input.GetPlane(), input.GetWeights(), triangulation);
       const auto hidden = static_cast<std::int64_t>(triangulation.hiddenIds.size());

@@ -87,7 +87,7 @@ public:
    * of it. As in vtkDelaunay2D, a triangle stays if its circumcircle has at most the radius Alpha;
    * that is decided exactly. With weights, it is the circle of power distance 0 from the corners,
    * and the square of its radius is compared with that of Alpha; it may be negative. A negative
-   * number and NaN are refused with an error. Infinity leaves nothing out.
+   * number and NaN are an error of the update. Infinity leaves nothing out.
    *
    * AlphaLines adds the edges that are left as lines: those of no triangle that stays, whose own
    * least circle has at most the radius Alpha and no point in it. AlphaVerts adds the points that
@@ -102,7 +102,7 @@ public:
    * All points stay in the output. Where several processes triangulate together, AlphaLines,
    * AlphaVerts and GenerateAlphas are errors.
    */
-  virtual void SetAlpha(double alpha);
+  virtual void SetAlpha(double alpha) { this->ChangeOutput(this->Alpha, alpha); }
   vtkGetMacro(Alpha, double);
   virtual void SetAlphaLines(bool on) { this->ChangeOutput(this->AlphaLines, on); }
   vtkGetMacro(AlphaLines, bool);
@@ -147,8 +147,8 @@ public:
    * Set/Get the length of the longest edge that the cells of port 0 may have. 0 by default: any.
    * Cells with a longer edge are left out: triangles, and the lines of collinear points. Edges are
    * measured in the plane of the triangulation, and compared exactly: one as long as
-   * MaximumEdgeLength stays. Infinity leaves nothing out. A negative number and NaN are refused
-   * with an error.
+   * MaximumEdgeLength stays. Infinity leaves nothing out. A negative number and NaN are an error
+   * of the update.
    *
    * All points stay in the output, also those of no cell. The hidden points and the power diagram
    * do not change.
@@ -157,7 +157,10 @@ public:
    * judged by its border. As triangles, each triangle of the fan is judged by itself; some of its
    * edges are diagonals, so of a square of side 1, a length of 1.2 leaves out both triangles.
    */
-  virtual void SetMaximumEdgeLength(double length);
+  virtual void SetMaximumEdgeLength(double length)
+  {
+    this->ChangeOutput(this->MaximumEdgeLength, length);
+  }
   vtkGetMacro(MaximumEdgeLength, double);
   //@}
 

@@ -4,6 +4,7 @@
 
 #include "vtkFFAlgorithm.h"
 #include "vtkFFExactValues.h"
+#include "vtkFFInput.h"
 #include "vtkFFOutput.h"
 #include "vtkFFQueryAlgorithm.h"
 
@@ -13,6 +14,7 @@
 #include <flipflop/Weights.h>
 
 #include "vtkAlgorithm.h"
+#include "vtkCompositeDataPipeline.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
 #include "vtkInformationVector.h"
@@ -20,13 +22,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <iterator>
 #include <new>
+#include <sstream>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -137,11 +139,16 @@ vtkFFFailure failureOf(const flipflop::Error& error, const std::string& of)
   return failure;
 }
 
-/// Which data set of a composite it is, for errors.
-std::string clauseOf(std::size_t dataSet)
+/// What an executive keeps to itself.
+struct Executive : vtkCompositeDataPipeline
 {
-  return " of data set " + std::to_string(dataSet) + " of the composite";
-}
+  /// Whether it has its filter work on one data set of a composite after another.
+  static bool IsIterating(vtkExecutive* executive)
+  {
+    auto* const composite = vtkCompositeDataPipeline::SafeDownCast(executive);
+    return composite && composite->*(&Executive::InLocalLoop);
+  }
+};
 
 constexpr const char* noMemory = "There is not enough memory for this input.";
 
@@ -187,14 +194,9 @@ vtkFFRun::vtkFFRun(vtkFFAlgorithm* filter, const char* title, vtkInformationVect
   // VTK_INT_MAX is as much as a panel of ParaView can say.
   this->Engine.cudaFrom = filter->GetCUDAThreshold() >= VTK_INT_MAX ? flipflop::CudaPaysNever
                                                                     : filter->GetCUDAThreshold();
-  if (outputs && !this->Begin(filter->LastBlock, filter->IsAborted))
+  if (outputs)
   {
-    filter->EngineUsed = vtkFFAlgorithm::ENGINE_NONE;
-    filter->EngineReason = "no engine has run";
-    filter->Dimension = -1;
-    filter->NumberOfInputPoints = 0;
-    filter->NumberOfNonFinitePoints = 0;
-    filter->ForgetReport();
+    this->Begin(filter);
   }
 }
 
@@ -204,10 +206,9 @@ vtkFFRun::vtkFFRun(vtkFFQueryAlgorithm* filter, const char* title, vtkInformatio
       [filter](unsigned long code) { filter->SetErrorCode(code); })
 {
   this->Options.nonFinite = static_cast<flipflop::NonFinitePolicy>(filter->GetNonFinitePoints());
-  if (outputs && !this->Begin(filter->LastBlock, filter->IsAborted))
+  if (outputs)
   {
-    filter->Dimension = -1;
-    filter->IsSecondAtFault = false;
+    this->Begin(filter);
   }
 }
 
@@ -220,37 +221,51 @@ vtkFFRun::vtkFFRun(const vtkFFRun& whole, std::size_t dataSet, std::size_t count
   , Title(whole.Title)
   , Outputs(nullptr)
   , SetCode(whole.SetCode)
-  , Block(count > 1 ? clauseOf(dataSet) : std::string())
 {
+  this->SetDataSet(static_cast<vtkIdType>(dataSet), static_cast<vtkIdType>(count));
   this->Options.threads = 1;
   this->Options.progress = nullptr;
   this->Options.step = nullptr;
 }
 
 //------------------------------------------------------------------------------
-bool vtkFFRun::Begin(vtkIdType& lastBlock, bool& isAborted)
+bool vtkFFRun::FindDataSet(
+  vtkAlgorithm* filter, vtkInformationVector** inputVector, vtkIdType& number, vtkIdType& count)
 {
-  // The executive runs a filter data set by data set on a composite: of n, the progress of number k
-  // is from k/n on.
-  const double scale = this->Filter->GetProgressScale();
-  const vtkIdType block = std::llround(this->Filter->GetProgressShift() / scale);
-  const bool isNext = block > 0 && (block == lastBlock || block == lastBlock + 1);
-  lastBlock = block;
-  if (scale < 1.0 && (isNext || block == 0))
+  if (Executive::IsIterating(filter->GetExecutive()))
   {
-    this->Block = clauseOf(static_cast<std::size_t>(block));
+    ++number;
+    return false;
   }
-  this->Aborted = &isAborted;
-  if (!isNext)
+  number = -1;
+  count = 0;
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
   {
-    isAborted = false;
-    this->SetCode(vtkFFErrorCode::NoError);
+    const auto pieces = vtkFFInput::PiecesOf(vtkDataObject::GetData(inputVector[port]));
+    count = std::max(count, static_cast<vtkIdType>(pieces.size()));
   }
-  else if (isAborted)
+  return true;
+}
+
+//------------------------------------------------------------------------------
+template <class FilterT>
+void vtkFFRun::Begin(FilterT* filter)
+{
+  this->SetDataSet(filter->DataSet, filter->NumberOfDataSets);
+  this->Aborted = &filter->IsAborted;
+  if (filter->IsAborted)
   {
     this->Failure.Kind = vtkFFFailure::Aborted; // before VTK 9.3, the executive goes on
   }
-  return isNext;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFRun::SetDataSet(vtkIdType number, vtkIdType count)
+{
+  if (number >= 0 && count > 1)
+  {
+    this->Block = " of data set " + std::to_string(number) + " of the composite";
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -363,6 +378,17 @@ std::string vtkFFRun::OfWhat() const
 }
 
 //------------------------------------------------------------------------------
+void vtkFFRun::CheckLength(double length, const char* name, const char* zero)
+{
+  if (!(length >= 0.0))
+  {
+    std::ostringstream message;
+    message << name << " is " << length << "; it must be a length, or 0 for " << zero << ".";
+    throw vtkFFBadSetting(message.str());
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkFFRun::UseCPU(const char* reason)
 {
   if (this->Engine.choice == flipflop::EngineChoice::CUDA)
@@ -444,7 +470,9 @@ void vtkFFRun::NameFailure(const std::string& words)
   }
   if (failure.Kind == vtkFFFailure::Other)
   {
-    failure.Message = words + failure.Message;
+    const bool isNamed = failure.Message.find(this->Block) != std::string::npos;
+    failure.Message =
+      (isNamed ? words : capitalized(this->Block.substr(4)) + ": " + words) + failure.Message;
   }
 }
 

@@ -129,8 +129,7 @@ public:
     std::function<void(unsigned long)> setCode);
 
   /**
-   * The same with all settings of the filter. What the last run reported is forgotten, unless this
-   * one is of the next block of the same composite.
+   * The same with all settings of the filter, of the data set that the executive has come to.
    */
   vtkFFRun(vtkFFAlgorithm* filter, const char* title, vtkInformationVector* outputs);
   vtkFFRun(vtkFFQueryAlgorithm* filter, const char* title, vtkInformationVector* outputs);
@@ -176,9 +175,20 @@ public:
   //@}
 
   /**
-   * Whether the executive has the filter work on one data set of a composite after another.
+   * It is of this one of so many data sets of a composite, each of which has a result of its own:
+   * errors name it, if there are several.
    */
+  void SetDataSet(vtkIdType number, vtkIdType count);
   bool IsInComposite() const { return !this->Block.empty(); }
+
+  /**
+   * For the executive's request that precedes each run, and all runs for a composite: the number of
+   * the data set that it has come to, which is -1 outside of a composite, and how many there are.
+   * Returns whether no run for the same input came before. (The progress does not say that: a
+   * caller may set its shift and scale.)
+   */
+  static bool FindDataSet(
+    vtkAlgorithm* filter, vtkInformationVector** inputVector, vtkIdType& number, vtkIdType& count);
 
   /**
    * How errors speak of numbers that are not finite: what they are, what helps, and whether all
@@ -187,6 +197,11 @@ public:
   std::string NonFiniteWhat = "A coordinate";
   const char* NonFiniteAdvice = "Remove them, or set Non Finite Points to Ignore.";
   const char* NonFiniteReach = "in all";
+
+  /**
+   * @throw vtkFFBadSetting unless the setting of that name is a length, or 0, which means @p zero.
+   */
+  static void CheckLength(double length, const char* name, const char* zero);
 
   /**
    * The work is the CPU engine's, for this reason: "constraints are the CPU's".
@@ -238,8 +253,8 @@ public:
   int Finish(bool aloud = true);
 
 private:
-  /// Returns whether it is of the next block of a composite. The error code stays then.
-  bool Begin(vtkIdType& lastBlock, bool& isAborted);
+  template <class Filter>
+  void Begin(Filter* filter);
   static bool ForwardProgress(double fraction, void* self);
   static void ForwardStep(const char* name, void* self);
 
@@ -251,7 +266,7 @@ private:
   bool* Aborted = nullptr; // of the filter: whether a composite's run was
   double Part[2] = { 0.0, 1.0 };
   double Reached = 0.0;
-  std::string Block; // the clause for it, where the executive goes from block to block
+  std::string Block; // the clause for the data set of a composite
 };
 VTK_ABI_NAMESPACE_END
 

@@ -3,6 +3,7 @@
 #include "vtkFFStreamedWriter.h"
 
 #include "vtkFFErrorCode.h"
+#include "vtkFFInput.h"
 #include "vtkFFInputPieces.h"
 #include "vtkFFOutput.h"
 #include "vtkFFPlanarInput.h"
@@ -94,10 +95,7 @@ vtkFFStreamedWriter::~vtkFFStreamedWriter()
 //------------------------------------------------------------------------------
 int vtkFFStreamedWriter::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Composites come first: so the executive leaves them whole.
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  vtkFFInput::AcceptWhole(info);
   return 1;
 }
 
@@ -118,11 +116,10 @@ vtkTypeBool vtkFFStreamedWriter::ProcessRequest(
 int vtkFFStreamedWriter::Write()
 {
   this->IsTried = false;
-  this->IsWritten = false;
+  this->ForgetReport();
   this->Superclass::Write();
   if (!this->IsTried && this->GetNumberOfInputConnections(0) > 0)
   {
-    this->ForgetReport();
     vtkFFRun run(this, "", this->NumberOfThreads, nullptr,
       [this](unsigned long code) { this->SetErrorCode(code); });
     vtkInformation* const input = this->GetInputInformation();
@@ -138,8 +135,6 @@ int vtkFFStreamedWriter::Write()
 int vtkFFStreamedWriter::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*)
 {
   this->IsTried = true;
-  this->IsWritten = false;
-  this->SetErrorCode(vtkErrorCode::NoError);
   this->ForgetReport();
   this->WriteData();
   return 1;
@@ -148,6 +143,8 @@ int vtkFFStreamedWriter::RequestData(vtkInformation*, vtkInformationVector**, vt
 //------------------------------------------------------------------------------
 void vtkFFStreamedWriter::ForgetReport()
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->IsWritten = false;
   this->NumberOfInputPoints = 0;
   this->NumberOfNonFinitePoints = 0;
   this->NumberOfHiddenPoints = 0;
@@ -211,13 +208,7 @@ flipflop::StreamReport vtkFFStreamedWriter::WriteFiles(vtkFFStreamedInput& input
     run.Failure.Say("There is no File Name.", vtkErrorCode::NoFileNameError);
     return {};
   }
-  if (!(this->MaximumEdgeLength >= 0.0))
-  {
-    std::ostringstream message;
-    message << "Maximum Edge Length is to be " << this->MaximumEdgeLength
-            << "; it must be a length, or 0 for edges of any length.";
-    throw vtkFFBadSetting(message.str());
-  }
+  vtkFFRun::CheckLength(this->MaximumEdgeLength, "Maximum Edge Length", "edges of any length");
   const vtkFFStreamedFiles files(this->FileName);
   input.Begin();
   const vtkFFPointRecords& records = input.GetRecords();

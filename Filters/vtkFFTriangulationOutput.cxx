@@ -69,6 +69,17 @@ flipflop::CellComplex boundaryOf(
 }
 
 //------------------------------------------------------------------------------
+vtkFFTriangulationOutput::vtkFFTriangulationOutput(
+  vtkFFRegularTriangulationFilter* filter, vtkFFRun& run)
+  : Filter(filter)
+  , Run(run)
+{
+  vtkFFRun::CheckLength(filter->GetAlpha(), "Alpha", "the whole triangulation");
+  vtkFFRun::CheckLength(
+    filter->GetMaximumEdgeLength(), "Maximum Edge Length", "edges of any length");
+}
+
+//------------------------------------------------------------------------------
 std::int64_t vtkFFTriangulationOutput::DropCells(const flipflop::PointView& points,
   const flipflop::WeightView& weights, flipflop::CellComplex& cells)
 {

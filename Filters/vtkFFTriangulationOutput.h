@@ -31,11 +31,10 @@ class vtkPolyData;
 class vtkFFTriangulationOutput
 {
 public:
-  vtkFFTriangulationOutput(vtkFFRegularTriangulationFilter* filter, vtkFFRun& run)
-    : Filter(filter)
-    , Run(run)
-  {
-  }
+  /**
+   * @throw vtkFFBadSetting if a length is none
+   */
+  vtkFFTriangulationOutput(vtkFFRegularTriangulationFilter* filter, vtkFFRun& run);
 
   /**
    * Exclude the cells that are not in the alpha complex, or have a longer edge. Returns how many.

@@ -214,20 +214,23 @@ bool runEachBlock(vtkFFAlgorithm* filter, vtkMultiProcessController* controller,
           }
         });
     });
+  const double shift = filter->GetProgressShift(); // the caller's
+  const double scale = filter->GetProgressScale();
   bool isAborted = false;
   for (std::size_t i = 0; isReady && !isAborted && i < tasks.size(); ++i)
   {
     const auto& [block, results] = tasks[i];
-    const auto count = static_cast<double>(tasks.size());
-    filter->SetProgressShiftScale(static_cast<double>(i) / count, 1.0 / count);
+    const double part = scale / static_cast<double>(tasks.size());
+    filter->SetProgressShiftScale(shift + part * static_cast<double>(i), part);
     vtkFFRun run(filter, title, results);
+    run.SetDataSet(static_cast<vtkIdType>(i), static_cast<vtkIdType>(tasks.size()));
     limitThreads(run);
     vtkFFProcesses processes(controller, run);
     processes.Do([&, &own = *block, &made = results] { work({ own }, processes, made); });
     run.Finish(processes.GetRank() == 0);
     isAborted = run.Failure.Kind == vtkFFFailure::Aborted;
   }
-  filter->SetProgressShiftScale(0.0, 1.0);
+  filter->SetProgressShiftScale(shift, scale);
   return isAborted;
 }
 

@@ -94,7 +94,7 @@ void vtkFFDistributedTriangulation::Compute(const std::vector<vtkFFInput::PieceT
     this->Weighted ? flipflop::BlockShape::RegularTriangulation : flipflop::BlockShape::Delaunay,
     std::move(block), this->Run.Options, this->Processes);
   this->Hidden = static_cast<std::int64_t>(this->Cells.hiddenIds.size());
-  if (this->Input.IsXYPlane() && this->Cells.cells.dimension == 1)
+  if (!this->Input.GetFittedPlane() && this->Cells.cells.dimension == 1)
   {
     this->LookForVerticalPlane();
   }
@@ -226,7 +226,7 @@ void vtkFFDistributedTriangulation::LookForVerticalPlane()
     const auto corners = vtkFFProcesses::ValuesOf<Points::value_type>(message.second);
     points.insert(points.end(), corners.begin(), corners.end());
   }
-  if (vtkFFPlanarInput::HullInSpace(points, this->Run.Options).dimension == 2)
+  if (vtkFFPlanarInput::HullInSpace(points, this->Run.Options).dimension > 1)
   {
     this->Input.WarnOfVerticalPlane();
   }

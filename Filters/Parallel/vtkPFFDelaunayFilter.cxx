@@ -72,6 +72,7 @@ int vtkPFFDelaunayFilter::RequestData(
   }
   const auto check = [&]
   {
+    vtkFFRun::CheckLength(this->MaximumEdgeLength, "Maximum Edge Length", "edges of any length");
     if (this->GetNumberOfInputConnections(1) > 0)
     {
       throw vtkFFBadSetting(

@@ -8,6 +8,8 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkVariant.h"
@@ -146,13 +148,27 @@ bool samePoints(vtkPointSet* a, vtkPointSet* b, const std::string& where)
     sameArray(a->GetPoints()->GetData(), b->GetPoints()->GetData(), where + ", points");
 }
 
-/// Of the cells, those of poly data are looked at, of others their number.
+bool sameGrid(vtkImageData* a, vtkImageData* b)
+{
+  const double* const turns = a->GetDirectionMatrix()->GetData();
+  return std::equal(a->GetExtent(), a->GetExtent() + 6, b->GetExtent()) &&
+    std::equal(a->GetOrigin(), a->GetOrigin() + 3, b->GetOrigin()) &&
+    std::equal(a->GetSpacing(), a->GetSpacing() + 3, b->GetSpacing()) &&
+    std::equal(turns, turns + 9, b->GetDirectionMatrix()->GetData());
+}
+
+/// Of the cells, those of poly data are compared, of others their number.
 bool sameDataSet(vtkDataSet* a, vtkDataSet* b, const std::string& where)
 {
   auto* points = vtkPointSet::SafeDownCast(a);
   if (points && !samePoints(points, vtkPointSet::SafeDownCast(b), where))
   {
     return false;
+  }
+  auto* image = vtkImageData::SafeDownCast(a);
+  if (image && !sameGrid(image, vtkImageData::SafeDownCast(b)))
+  {
+    return differs(where, "another extent, origin, spacing or direction");
   }
   auto* one = vtkPolyData::SafeDownCast(a);
   auto* other = vtkPolyData::SafeDownCast(b);

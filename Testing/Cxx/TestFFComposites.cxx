@@ -168,8 +168,7 @@ void check(const Maker& maker, vtkCompositeDataSet* input, const std::vector<Fau
   FF_CHECK_EQUAL(errors->Messages.size(), faults.size());
   for (std::size_t i = 0; i < std::min(faults.size(), errors->Messages.size()); ++i)
   {
-    const std::string where =
-      " of data set " + std::to_string(faults[i].Number) + " of the composite";
+    const std::string where = "ata set " + std::to_string(faults[i].Number) + " of the composite";
     const bool isSaid = errors->Messages[i].find(faults[i].Part) != std::string::npos &&
       errors->Messages[i].find(where) != std::string::npos;
     FF_CHECK_EQUAL(isSaid ? faults[i].Part : errors->Messages[i], faults[i].Part);
@@ -300,7 +299,7 @@ void testFaults()
     { 5, vtkFFErrorCode::NonFiniteError,
       "first at point 3 of data set 5 of the composite, 1 such" },
     { 6, vtkFFErrorCode::InputError,
-      "is a vtkTable. It must be a vtkPointSet, vtkImageData or vtkRectilinearGrid." } };
+      "is a vtkTable. It must be a vtkDataSet, or a composite of these." } };
   for (const Maker& maker : makersOfPoints())
   {
     check(maker, makeBlocks(leaves), faults);
@@ -310,6 +309,11 @@ void testFaults()
   check(makeWeightedFilter<vtkFFRegularTriangulationFilter>,
     makeBlocks({ randomWeighted(9, 1), makePoints(cubeCorners()), randomWeighted(9, 2) }),
     { { 1, vtkFFErrorCode::InputError, "The weights' array \"weights\"" } });
+
+  check(makeFilterOfImages,
+    makeBlocks({ randomWeighted(9, 1),
+      makeWeighted({ { -1e308, 0, 0 }, { 1e308, 1, 0 }, { 0, 2, 0 } }, { 0, 0, 0 }) }),
+    { { 1, vtkFFErrorCode::SettingError, "A length of inf cannot be divided into 12 pixels." } });
 
   const auto cube = makeVoxels({ { 0, 0, 0 } });
   const auto u = makeVoxels({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 }, { 2, 1, 0 } });

@@ -99,52 +99,18 @@ void testBox()
   FF_CHECK(run.Run()->GetNumberOfPolys() > 0);
 }
 
-/// A length that is none is refused where it is set; what was set before stays.
-template <class FilterT, class Set, class Get>
-void testRefused(const std::string& words, const Set& set, const Get& get)
-{
-  Watched<FilterT> run(makePoints(randomPoints(50, 34)));
-  FF_CHECK_EQUAL(get(run.Get()), 0.0);
-  set(run.Get(), 0.5);
-  const auto expected = copyOf(run.Run());
-  const vtkMTimeType time = run->GetMTime();
-  for (const double value : { -1.0, -infinity, notANumber })
-  {
-    run.Errors->Clear();
-    set(run.Get(), value);
-    FF_CHECK_EQUAL(run.Errors->Messages.size(), std::size_t(1));
-    FF_CHECK(run.Errors->Has(words));
-    FF_CHECK_EQUAL(get(run.Get()), 0.5);
-    FF_CHECK_EQUAL(run->GetMTime(), time);
-  }
-  FF_CHECK(isIdentical(run.Run(), expected, words));
-  set(run.Get(), -0.0);
-  FF_CHECK_EQUAL(get(run.Get()), 0.0);
-  run.Run();
-  FF_CHECK_EQUAL(run->GetNumberOfDroppedCells(), 0);
-}
-
 }
 
 int TestFFErrors(int, char*[])
 {
-  using Filter = vtkFFRegularTriangulationFilter;
   for (const FilterCase& of : casesOfPoints())
   {
     testNonFinite(of, VTK_DOUBLE);
     testNonFinite(of, VTK_FLOAT);
   }
-  testTransform<Filter>(false);
+  testTransform<vtkFFRegularTriangulationFilter>(false);
   testTransform<vtkFFConstrainedDelaunayFilter>(false);
   testTransform<vtkFFPowerDiagramFilter>(true);
   testBox();
-  testRefused<Filter>(
-    "Alpha is to be ", [](auto* filter, double x) { filter->SetAlpha(x); },
-    [](auto* filter) { return filter->GetAlpha(); });
-  const auto setLength = [](auto* filter, double x) { filter->SetMaximumEdgeLength(x); };
-  const auto getLength = [](auto* filter) { return filter->GetMaximumEdgeLength(); };
-  testRefused<Filter>("Maximum Edge Length is to be ", setLength, getLength);
-  testRefused<vtkFFConstrainedDelaunayFilter>(
-    "Maximum Edge Length is to be ", setLength, getLength);
   return result();
 }

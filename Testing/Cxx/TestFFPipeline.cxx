@@ -1,20 +1,25 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The filters as a part of a pipeline: progress, abort, errors, what makes them run again,
-// PrintSelf, subclasses.
+// The filters as a part of a pipeline: progress, abort, errors, what makes them run again, what
+// earlier runs leave (nothing), PrintSelf, subclasses.
 #include "FFCases.h"
 #include "FFTest.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkExecutive.h"
 #include "vtkFFErrorCode.h"
+#include "vtkFFPointInterpolator2D.h"
+#include "vtkFFSelectEnclosedPoints.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <sstream>
 
 using namespace fftest;
@@ -129,6 +134,107 @@ void testModification()
   FF_CHECK_EQUAL(hull->GetNonFinitePoints(), int(vtkFFAlgorithm::NON_FINITE_IGNORE));
 }
 
+/// What a filter prints, but for addresses, times and the history of its progress.
+std::string printed(vtkAlgorithm* filter)
+{
+  std::stringstream lines;
+  filter->Print(lines);
+  std::string text;
+  for (std::string line; std::getline(lines, line);)
+  {
+    const auto has = [&](const char* part) { return line.find(part) != std::string::npos; };
+    text += has("0x") || has("Time: ") || has("Count: ") || has("Progress") ? "" : line + "\n";
+  }
+  return text;
+}
+
+/// Runs, and adds what is said without the filter's address.
+std::string run(vtkAlgorithm* filter, vtkDataObject* input)
+{
+  const auto errors = ErrorObserver::Of(filter);
+  filter->SetInputDataObject(input);
+  filter->Update();
+  filter->RemoveObserver(errors);
+  filter->GetExecutive()->RemoveObserver(errors);
+  std::string said;
+  for (const std::string& message : errors->Messages)
+  {
+    said += message.substr(message.find("): "));
+  }
+  return said + printed(filter);
+}
+
+/// Whatever a filter has been through, and wherever the caller has its progress lie, it gives what
+/// a new one gives: outputs, messages, error code, report.
+void testHistory(const std::function<vtkSmartPointer<vtkAlgorithm>()>& make)
+{
+  const auto cube = makeVoxels({ { 0, 0, 0 } });
+  const auto large = makeVoxels({ { 0, 0, 0 } });
+  for (vtkIdType i = 0; i < large->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    large->GetPoint(i, x);
+    large->GetPoints()->SetPoint(i, 2 * x[0], 2 * x[1], 2 * x[2]);
+  }
+  const auto bad = makeVoxels({ { 0, 0, 0 }, { 1, 0, 0 } });
+  bad->GetPoints()->SetPoint(3, NAN, 0, 0);
+  for (vtkPolyData* data : { cube.Get(), large.Get(), bad.Get() })
+  {
+    const auto count = static_cast<std::size_t>(data->GetNumberOfPoints());
+    data->GetPointData()->AddArray(
+      makeWeighted({}, std::vector<double>(count, 0.25))->GetPointData()->GetArray(0));
+  }
+  vtkNew<vtkMultiBlockDataSet> none;
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, large);
+  blocks->SetBlock(2, bad);
+  blocks->SetBlock(3, cube);
+  vtkNew<vtkMultiBlockDataSet> single;
+  single->SetBlock(0, bad);
+  vtkDataObject* const inputs[] = { cube, large, bad, none, blocks, single };
+  for (vtkDataObject* before : inputs)
+  {
+    for (vtkDataObject* input : inputs)
+    {
+      const auto fresh = make();
+      const auto used = make();
+      run(used, before);
+      used->SetProgressShiftScale(0.5, 0.5);
+      used->Modified();
+      const std::string what = fresh->GetClassName() + run(fresh, input);
+      FF_CHECK_EQUAL(used->GetClassName() + run(used, input), what);
+      for (int port = 0; port < fresh->GetNumberOfOutputPorts(); ++port)
+      {
+        FF_CHECK(isIdentical(used->GetOutputDataObject(port), fresh->GetOutputDataObject(port),
+          fresh->GetClassName()));
+      }
+    }
+  }
+}
+
+void testHistories()
+{
+  for (const FilterCase& of : filterCases())
+  {
+    testHistory(of.New);
+  }
+  const auto second = makePoints(cubeCorners());
+  testHistory(
+    [&]
+    {
+      auto filter = vtkSmartPointer<vtkFFSelectEnclosedPoints>::New();
+      filter->SetSurfaceData(second);
+      return filter;
+    });
+  testHistory(
+    [&]
+    {
+      auto filter = vtkSmartPointer<vtkFFPointInterpolator2D>::New();
+      filter->SetSourceData(second);
+      return filter;
+    });
+}
+
 void testPrint(vtkFFAlgorithm* filter, std::vector<std::string> names)
 {
   std::ostringstream text;
@@ -187,6 +293,7 @@ int TestFFPipeline(int, char*[])
   }
   testError();
   testModification();
+  testHistories();
   testSubclass();
   return result();
 }

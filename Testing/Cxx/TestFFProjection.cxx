@@ -9,12 +9,15 @@
 #include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkTransform.h"
 
+#include <array>
 #include <cmath>
+#include <type_traits>
 
 using namespace fftest;
 
@@ -86,14 +89,18 @@ void testPlanes()
 template <class FilterT>
 void testVerticalPlane()
 {
-  const auto hints = [](vtkDataObject* input, int mode = XY, const char* block = "")
+  const auto hints = [](vtkDataObject* input, int mode = XY, const char* block = "",
+                       vtkTransform* transform = nullptr)
   {
     Watched<FilterT> run(input);
+    run->SetTransform(transform);
     run->SetProjectionPlaneMode(mode);
     run->Update();
     FF_CHECK_EQUAL(run->GetErrorCode(), vtkFFErrorCode::NoError);
     FF_CHECK(run.Errors->Messages.empty() ||
-      run.Errors->Has(std::string("The points") + block + " are in one vertical plane"));
+      run.Errors->Has(std::string("The points") + block +
+        (transform ? " are on a line after the Transform, and were not before"
+                   : " are in one vertical plane")));
     FF_CHECK(run.Errors->Messages.empty() ||
       run.Errors->Has("set Projection Plane Mode to Best-Fitting Plane."));
     return run.Errors->Messages.size();
@@ -121,6 +128,27 @@ void testVerticalPlane()
   blocks->SetBlock(0, makePoints(cubeCorners()));
   blocks->SetBlock(1, upright);
   FF_CHECK_EQUAL(hints(blocks, XY, " of data set 1 of the composite"), std::size_t(1));
+
+  // A transform that stands what lies flat upright, or flattens an axis.
+  const auto hintsBy = [&](const std::vector<Point>& points, int zeroed)
+  {
+    vtkNew<vtkMatrix4x4> matrix;
+    const std::array<int, 3> axes{ { 0, 2, 1 } };
+    for (int i = 0; i < 3; ++i)
+    {
+      matrix->SetElement(i, i, 0.0);
+      matrix->SetElement(i, axes[static_cast<std::size_t>(i)], i == zeroed ? 0.0 : 1.0);
+    }
+    vtkNew<vtkTransform> transform;
+    transform->SetMatrix(matrix);
+    return hints(makePoints(points), vtkFFPlanarAlgorithm::TRANSFORM_PLANE, "", transform);
+  };
+  FF_CHECK_EQUAL(hintsBy({ { 0, 0, 0 }, { 1, 2, 0 }, { 2, 5, 0 } }, 3), std::size_t(1));
+  FF_CHECK_EQUAL(hintsBy({ { 0, 0, 0 }, { 1, 2, 0 }, { 2, 4, 0 } }, 3), std::size_t(0));
+  if (!std::is_same_v<FilterT, vtkFFPowerDiagramFilter>) // which needs the way back
+  {
+    FF_CHECK_EQUAL(hintsBy(cubeCorners(), 1), std::size_t(1));
+  }
 }
 
 constexpr int pointCount = 300000;

@@ -7,6 +7,7 @@
 #include "vtkErrorCode.h"
 #include "vtkFFErrorCode.h"
 #include "vtkIntArray.h"
+#include "vtkPassThrough.h"
 
 #include <fstream>
 #include <functional>
@@ -148,6 +149,31 @@ void testPieces()
   }
 }
 
+/// An input that failed, here or further up, and was mended without a Modified(), is run again.
+void testMended()
+{
+  for (const int pieces : { 1, 7 })
+  {
+    for (const bool isNear : { true, false })
+    {
+      Stream stream(806);
+      stream.Writer->SetNumberOfPieces(pieces);
+      bool isBroken = true;
+      stream.Source->SetMaker([&](int k, int n)
+        { return isBroken ? nullptr : cut(stream.Whole, 700 * k / n, 700 * (k + 1) / n); });
+      vtkNew<vtkPassThrough> between;
+      between->SetInputConnection(stream.Source->GetOutputPort());
+      if (!isNear)
+      {
+        stream.Writer->SetInputConnection(between->GetOutputPort());
+      }
+      FF_CHECK(stream.Fails(vtkFFErrorCode::InputError, "The input did not deliver it."));
+      isBroken = false;
+      FF_CHECK(stream.Works("a mended input"));
+    }
+  }
+}
+
 /// Names of files that cannot be.
 void testNames()
 {
@@ -161,9 +187,9 @@ void testNames()
   stream.Writer->SetFileName(stream.File.c_str());
   stream.Writer->SetMaximumEdgeLength(-1.5);
   FF_CHECK(stream.Fails(vtkFFErrorCode::SettingError,
-    "Maximum Edge Length is to be -1.5; it must be a length, or 0 for edges of any length."));
+    "Maximum Edge Length is -1.5; it must be a length, or 0 for edges of any length."));
   stream.Writer->SetMaximumEdgeLength(nan);
-  FF_CHECK(stream.Fails(vtkFFErrorCode::SettingError, "Maximum Edge Length is to be nan; "));
+  FF_CHECK(stream.Fails(vtkFFErrorCode::SettingError, "Maximum Edge Length is nan; "));
   stream.Writer->SetMaximumEdgeLength(0.0);
 
   std::ofstream(stream.Folder.File("file")) << "no folder";
@@ -385,6 +411,7 @@ void testFewerBlocks()
 int TestFFStreamedWriterErrors(int, char*[])
 {
   testPieces();
+  testMended();
   testNames();
   testObstacles();
   testFullDisk();

@@ -328,10 +328,7 @@ private:
 
   void check()
   {
-    vtkDataObject* const second = this->Input[1];
-    const bool isTyped = !second || second->IsA("vtkDataSet") || second->IsA("vtkCompositeDataSet");
-    const bool failed =
-      demandTold(this->Filter, isTyped ? this->Input[0].Get() : nullptr, this->Errors);
+    const bool failed = demandTold(this->Filter, this->Input[0], this->Errors);
     auto* points = vtkPointSet::SafeDownCast(this->Input[0]);
     auto* hull = vtkFFHullFilter::SafeDownCast(this->Filter);
     demand(!failed || !points || !hull || !mustHaveHull(hull, points),

@@ -160,6 +160,10 @@ void testBlocks(DistributedVersusSerial& both)
   }
   const std::vector<Pieces> leaves(4, makePieces());
   vtkNew<vtkTable> table;
+  both.Distributed->SetProgressShiftScale(0.5, 0.5); // the caller's
+  both.Run("with a shift and a scale", leaves);
+  FF_CHECK(processes() == 1 || both.Distributed->GetProgressScale() == 0.5);
+  both.Distributed->SetProgressShiftScale(0.0, 1.0);
   for (int process = 0; process < processes(); ++process)
   {
     const auto piece = pieceOfBlocks(leaves);
@@ -289,6 +293,12 @@ void testSeveral()
   DistributedVersusSerial box = compare<vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter>();
   vtkFFPowerDiagramFilter::SafeDownCast(box.Distributed)->SetPowerDiagramBounds(1, 0, 0, 1);
   box.Fails("no box", ownOf(pieces), "(xmin, xmax, ymin, ymax)");
+  DistributedVersusSerial lengths[] = { compare<vtkPFFRegularTriangulationFilter, Triangulation>(),
+    compare<vtkPFFDelaunayFilter, vtkFFConstrainedDelaunayFilter>() };
+  Triangulation::SafeDownCast(lengths[0].Distributed)->SetAlpha(-1.0);
+  lengths[0].Fails("alpha", ownOf(pieces), "Alpha is -1; it must be a length");
+  vtkFFConstrainedDelaunayFilter::SafeDownCast(lengths[1].Distributed)->SetMaximumEdgeLength(nan);
+  lengths[1].Fails("length", ownOf(pieces), "Maximum Edge Length is nan; it must be a length");
   DistributedVersusSerial boundary = compare<vtkPFFRegularTriangulationFilter, Triangulation>();
   boundary.Set<Triangulation>([](auto* filter) { filter->SetGenerateBoundary(true); });
   boundary.Fails("boundary", ownOf(pieces),
