@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
+/// Where constraints cross, all are divided first at the points that are exactly on them. What is
+/// between two neighbouring points is a link; constraints that overlap have it in common. Only
+/// links are bent, between their ends, so no constraint loses a point that is on it.
+///
 /// Rounds of splitting: all crossings of a round are found and rounded before one of its pieces is
-/// changed, so no order of constraints shows. Constraints that run along the same two positions are
-/// split as one. A piece is split in its box alone, so the pieces of a segment are monotone along
-/// both axes, and the sum of their extents stays; so rounds come to an end.
+/// changed, so no order of constraints shows. A piece is split in its box alone, so the pieces of a
+/// link are monotone along both axes, and the sum of their extents stays; so rounds come to an end.
 #include <flipflop/ConstraintCrossings.h>
 
 #include "Constraints/Crossing.h"
 #include "Constraints/CrossingPairs.h"
+#include "Constraints/PointsOnSegments.h"
 #include "Constraints/PositionNumbers.h"
 #include "Points/ConstraintInput.h"
 #include "Predicates/DoubleDouble.h"
@@ -50,10 +54,14 @@ public:
     for (bool more = true; more; begin += 0.5 * (0.9 - begin))
     {
       this->run.monitor.stage(begin, begin + 0.5 * (0.9 - begin), 1, "splitting crossings");
-      const auto pairs = crossingPairs(this->numbers.positions(), this->pieces, this->run.monitor);
+      std::vector<CrossingPair> pairs = this->crossings();
       more = !pairs.empty();
       if (more)
       {
+        if (result.rounds == 0 && this->divideAtPoints())
+        {
+          pairs = this->crossings(); // not at a point
+        }
         this->splitPieces(this->splitsOf(pairs, result.rounds > 0));
         ++result.rounds;
       }
@@ -71,12 +79,30 @@ private:
     std::uint32_t piece, index;
   };
 
+  std::vector<CrossingPair> crossings() const
+  {
+    return crossingPairs(this->numbers.positions(), this->pieces, this->run.monitor);
+  }
+
   const Position& at(std::uint32_t index) const { return this->numbers.positions()[index]; }
 
   std::uint32_t endOf(std::int64_t constraint, int end)
   {
     const std::int64_t id = this->constraints.ends[2 * constraint + end];
     return this->numbers.add(positionOf(this->run.source.vertex(static_cast<std::uint32_t>(id))));
+  }
+
+  /// The piece between two positions, of which there is one.
+  std::uint32_t pieceOf(
+    const PositionSegment& ends, std::unordered_map<std::uint64_t, std::uint32_t>& known)
+  {
+    const auto found = known.emplace(
+      std::uint64_t(ends.from) << 32 | ends.to, static_cast<std::uint32_t>(this->pieces.size()));
+    if (found.second)
+    {
+      this->pieces.push_back(ends);
+    }
+    return found.first->second;
   }
 
   /// The segments that constraints run along, each once and from its lower position.
@@ -89,30 +115,79 @@ private:
       poll.step();
       const std::uint32_t from = this->endOf(c, 0), to = this->endOf(c, 1);
       const bool turned = this->at(to) < this->at(from);
-      std::uint32_t segment = NoIndex;
-      if (from != to)
-      {
-        const PositionSegment ends =
-          turned ? PositionSegment{ to, from } : PositionSegment{ from, to };
-        const auto found = known.emplace(std::uint64_t(ends.from) << 32 | ends.to,
-          static_cast<std::uint32_t>(this->pieces.size()));
-        if (found.second)
-        {
-          this->pieces.push_back(ends);
-        }
-        segment = found.first->second;
-      }
-      this->segmentOf.push_back(segment);
+      this->segmentOf.push_back(from == to ? NoIndex
+          : turned                         ? this->pieceOf({ to, from }, known)
+                                           : this->pieceOf({ from, to }, known));
       this->isTurned.push_back(turned);
     }
-    this->firstPiece.resize(this->pieces.size() + 1);
-    std::iota(this->firstPiece.begin(), this->firstPiece.end(), std::size_t(0));
+    this->links.resize(this->pieces.size());
+    std::iota(this->links.begin(), this->links.end(), 0u);
+    this->firstLink = countedFrom0(this->pieces.size());
+    this->firstPiece = this->firstLink;
+  }
+
+  static std::vector<std::size_t> countedFrom0(std::size_t last)
+  {
+    std::vector<std::size_t> numbers(last + 1);
+    std::iota(numbers.begin(), numbers.end(), std::size_t(0));
+    return numbers;
+  }
+
+  /// Make links of the segments. Returns whether there is a point on any.
+  bool divideAtPoints()
+  {
+    const std::vector<PositionOnSegment> points = pointsOnSegments(
+      this->numbers.positions(), this->pieces, this->run.source, this->run.monitor);
+    if (points.empty())
+    {
+      return false;
+    }
+    const std::vector<PositionSegment> segments = std::exchange(this->pieces, {});
+    std::unordered_map<std::uint64_t, std::uint32_t> known;
+    this->links.clear();
+    StepPoll poll(this->run.monitor);
+    auto next = points.begin();
+    for (std::size_t s = 0; s < segments.size(); ++s)
+    {
+      poll.step();
+      this->firstLink[s] = this->links.size();
+      std::uint32_t from = segments[s].from;
+      for (; next != points.end() && next->segment == s; ++next)
+      {
+        const std::uint32_t index = this->numbers.add(next->position);
+        this->links.push_back(this->pieceOf({ from, index }, known));
+        from = index;
+      }
+      this->links.push_back(this->pieceOf({ from, segments[s].to }, known));
+    }
+    this->firstLink.back() = this->links.size();
+    this->firstPiece = countedFrom0(this->pieces.size());
+    this->findMeetings();
+    return true;
+  }
+
+  /// The points in which segments cross: several links go on from there.
+  void findMeetings()
+  {
+    std::vector<std::uint32_t> onward(this->numbers.positions().size(), NoIndex);
+    this->isMet.assign(onward.size(), 0);
+    for (std::size_t s = 0; s + 1 < this->firstLink.size(); ++s)
+    {
+      for (std::size_t l = this->firstLink[s] + 1; l < this->firstLink[s + 1]; ++l)
+      {
+        const std::uint32_t index = this->pieces[this->links[l]].from;
+        const std::uint32_t other = std::exchange(onward[index], this->links[l]);
+        if (other != NoIndex && other != this->links[l])
+        {
+          this->isMet[index] = 1;
+        }
+      }
+    }
   }
 
   /// Where the pieces of these pairs cross, by pieces, and along each.
   /// @param isRepeat it is not the first round
-  std::vector<Split> splitsOf(
-    const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs, bool isRepeat)
+  std::vector<Split> splitsOf(const std::vector<CrossingPair>& pairs, bool isRepeat)
   {
     struct Meeting
     {
@@ -140,6 +215,10 @@ private:
       poll.step();
       const std::uint32_t index =
         meetings[i].index != NoIndex ? meetings[i].index : this->numbers.add(meetings[i].rounded);
+      if (index < this->isMet.size())
+      {
+        this->isMet[index] = 1;
+      }
       for (const std::uint32_t p : { pairs[i].first, pairs[i].second })
       {
         // It may be an end of one of them. Not of both: then they would not cross.
@@ -269,13 +348,9 @@ private:
   {
     const std::size_t count = this->numbers.positions().size();
     std::vector<char> isInner(count, 0);
-    for (std::size_t p = 1; p < this->pieces.size(); ++p)
+    for (std::size_t segment = 0; segment + 1 < this->firstLink.size(); ++segment)
     {
-      // Two pieces of one segment; of others, that one ends where the next begins does no harm.
-      if (this->pieces[p - 1].to == this->pieces[p].from)
-      {
-        isInner[this->pieces[p].from] = 1;
-      }
+      this->eachInner(segment, [&](std::uint32_t index) { isInner[index] = 1; });
     }
     this->idOf = lowestPointsAt(this->numbers, isInner, this->run.source, this->run.monitor);
     for (std::uint32_t index = 0; index < count; ++index)
@@ -297,10 +372,25 @@ private:
   void write(SplitConstraints& result)
   {
     const std::int64_t lines = this->constraints.count - this->constraints.sides;
+    const auto given = static_cast<std::int64_t>(this->run.source.count());
     std::size_t count = 0;
     std::vector<std::int64_t> crossings(this->added.size() + 1, 0);
-    this->eachConstraint([&](std::int64_t, std::size_t pieceCount) { count += pieceCount; },
-      [&](std::int64_t, std::int64_t k) { ++crossings[static_cast<std::size_t>(k)]; });
+    const auto eachNew = [&](const std::vector<std::uint32_t>& inner, const auto& use)
+    {
+      for (const std::uint32_t index : inner)
+      {
+        if (this->idOf[index] >= given)
+        {
+          use(crossings[static_cast<std::size_t>(this->idOf[index] - given)]);
+        }
+      }
+    };
+    this->eachConstraint(
+      [&](std::int64_t, const std::vector<std::uint32_t>& inner)
+      {
+        count += inner.size() + 1;
+        eachNew(inner, [](std::int64_t& crossing) { ++crossing; });
+      });
     if (count >= NoIndex)
     {
       throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(count));
@@ -319,17 +409,20 @@ private:
     std::size_t piece = 0;
     std::int64_t* end = result.ends.data();
     this->eachConstraint(
-      [&](std::int64_t c, std::size_t pieceCount)
+      [&](std::int64_t c, const std::vector<std::uint32_t>& inner)
       {
+        const std::size_t pieceCount = inner.size() + 1;
         std::fill_n(result.constraintOf.data() + piece, pieceCount, c);
         piece += pieceCount;
         result.sides += c >= lines ? static_cast<std::int64_t>(pieceCount) : 0;
-        this->eachId(c, [&](std::int64_t id) { *end++ = id; });
-      },
-      [&](std::int64_t c, std::int64_t k)
-      {
-        std::int64_t& next = crossings[static_cast<std::size_t>(k)];
-        result.crossing[static_cast<std::size_t>(next++)] = c;
+        *end++ = this->constraints.ends[2 * c];
+        for (const std::uint32_t index : inner)
+        {
+          end = std::fill_n(end, 2, this->idOf[index]);
+        }
+        *end++ = this->constraints.ends[2 * c + 1];
+        eachNew(inner,
+          [&](std::int64_t& next) { result.crossing[static_cast<std::size_t>(next++)] = c; });
       });
     result.positions.allocate(2 * this->added.size());
     for (std::size_t k = 0; k < this->added.size(); ++k)
@@ -338,49 +431,54 @@ private:
     }
   }
 
-  /// emit (constraint, how many pieces); and meet (constraint, new point) for each of its new ones.
-  template <class Emit, class Meet>
-  void eachConstraint(const Emit& emit, const Meet& meet) const
+  /// use (position) for each in which a segment is divided, from its lower end: where it bends, or
+  /// crosses another. Links along which it stays straight are one.
+  template <class Use>
+  void eachInner(std::size_t segment, const Use& use) const
   {
-    StepPoll poll(this->run.monitor);
-    for (std::int64_t c = 0; c < this->constraints.count; ++c)
+    bool isBent = false;
+    for (std::size_t l = this->firstLink[segment]; l < this->firstLink[segment + 1]; ++l)
     {
-      const std::uint32_t segment = this->segmentOf[static_cast<std::size_t>(c)];
-      const std::size_t first = segment == NoIndex ? 0 : this->firstPiece[segment];
-      const std::size_t last = segment == NoIndex ? 1 : this->firstPiece[segment + 1];
-      emit(c, last - first);
+      const std::size_t first = this->firstPiece[this->links[l]];
+      const std::size_t last = this->firstPiece[this->links[l] + 1];
+      const bool wasBent = std::exchange(isBent, last - first > 1);
+      if (l > this->firstLink[segment] &&
+        (wasBent || isBent || this->isMet[this->pieces[first].from]))
+      {
+        use(this->pieces[first].from);
+      }
       for (std::size_t p = first + 1; p < last; ++p)
       {
-        poll.step();
-        const std::int64_t k =
-          this->idOf[this->pieces[p].from] - static_cast<std::int64_t>(this->run.source.count());
-        if (k >= 0)
-        {
-          meet(c, k);
-        }
+        use(this->pieces[p].from);
       }
     }
   }
 
-  /// use (id) for both ends of each piece of a constraint.
+  /// use (constraint, positions inside it) for each, in its direction.
   template <class Use>
-  void eachId(std::int64_t c, const Use& use) const
+  void eachConstraint(const Use& use) const
   {
-    use(this->constraints.ends[2 * c]);
-    const std::uint32_t segment = this->segmentOf[static_cast<std::size_t>(c)];
-    if (segment != NoIndex)
+    StepPoll poll(this->run.monitor);
+    std::vector<std::uint32_t> inner;
+    for (std::int64_t c = 0; c < this->constraints.count; ++c)
     {
-      const std::size_t first = this->firstPiece[segment];
-      const std::size_t inner = this->firstPiece[segment + 1] - first - 1;
-      const bool turned = this->isTurned[static_cast<std::size_t>(c)];
-      for (std::size_t i = 0; i < inner; ++i)
+      inner.clear();
+      const std::uint32_t segment = this->segmentOf[static_cast<std::size_t>(c)];
+      if (segment != NoIndex)
       {
-        const PositionSegment& piece = this->pieces[first + (turned ? inner - i : i + 1)];
-        use(this->idOf[piece.from]);
-        use(this->idOf[piece.from]);
+        this->eachInner(segment,
+          [&](std::uint32_t index)
+          {
+            poll.step();
+            inner.push_back(index);
+          });
       }
+      if (this->isTurned[static_cast<std::size_t>(c)])
+      {
+        std::reverse(inner.begin(), inner.end());
+      }
+      use(c, inner);
     }
-    use(this->constraints.ends[2 * c + 1]);
   }
 
   const ConstraintView constraints;
@@ -388,8 +486,11 @@ private:
   PositionNumbers numbers;
   std::vector<std::uint32_t> segmentOf; ///< by constraint; NoIndex: it is but a position
   std::vector<bool> isTurned;           ///< by constraint: it runs against its segment
-  std::vector<PositionSegment> pieces;  ///< of the segments, one after another
-  std::vector<std::size_t> firstPiece;  ///< by segment; then how many pieces there are
+  std::vector<std::uint32_t> links;     ///< of the segments, one after another
+  std::vector<std::size_t> firstLink;   ///< by segment; then how many links there are
+  std::vector<char> isMet;              ///< by position, of those between links: others are met
+  std::vector<PositionSegment> pieces;  ///< of the links, one after another
+  std::vector<std::size_t> firstPiece;  ///< by link; then how many pieces there are
   std::vector<std::int64_t> idOf;       ///< by position, of those inside segments
   std::vector<std::uint32_t> added;     ///< positions of the new points
 };

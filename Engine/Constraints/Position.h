@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A position in the plane as a key: of what is equal, one stands for all.
+/// A position in the plane as a key: of what is equal, one stands for all. Segments between such.
 #ifndef flipflop_Position_h
 #define flipflop_Position_h
 
 #include "Points/Vertex.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 
 namespace flipflop
@@ -34,6 +35,12 @@ inline Position positionOf(const Vertex& vertex)
 {
   return { { vertex.x[0], vertex.x[1] } };
 }
+
+/// Its ends: indices of positions, which differ where the indices do.
+struct PositionSegment
+{
+  std::uint32_t from, to;
+};
 
 struct PositionHash
 {

@@ -9,7 +9,6 @@
 #ifndef flipflop_SegmentBundle_h
 #define flipflop_SegmentBundle_h
 
-#include "Constraints/CrossingPairs.h"
 #include "Constraints/Position.h"
 #include "Predicates/DoubleDouble.h"
 
@@ -55,22 +54,21 @@ public:
       return;
     }
     const double angle = 0.5 * std::atan2(sine, cosine);
-    const DoubleDouble normal[2] = { { -std::sin(angle), 0 }, { std::cos(angle), 0 } };
-    this->offsets.reserve(positions.size());
-    for (const Position& position : positions)
-    {
-      const auto along = [&](int i) {
-        return doubleDifference(this->scaled(position, i), this->scaled(positions[0], i)) *
-          normal[i];
-      };
-      this->offsets.push_back((along(0) + along(1)).high);
-    }
+    this->isBundle = true;
+    this->origin = positions[0];
+    this->normal[0] = -std::sin(angle);
+    this->normal[1] = std::cos(angle);
   }
 
-  /// Of a position; 0 for all if the segments have no common direction.
-  double offsetOf(std::size_t index) const
+  /// Of a position within the box of all; 0 if the segments have no common direction.
+  double offsetOf(const Position& position) const
   {
-    return this->offsets.empty() ? 0.0 : this->offsets[index];
+    const auto along = [&](int i)
+    {
+      return doubleDifference(this->scaled(position, i), this->scaled(this->origin, i)) *
+        DoubleDouble{ this->normal[i], 0 };
+    };
+    return this->isBundle ? (along(0) + along(1)).high : 0.0;
   }
 
 private:
@@ -79,8 +77,10 @@ private:
     return std::ldexp(position.x[axis], this->scale);
   }
 
-  int scale = 0;               ///< a power of two, with which coordinates are at most 1
-  std::vector<double> offsets; ///< by position
+  int scale = 0; ///< a power of two, with which coordinates are at most 1
+  bool isBundle = false;
+  Position origin = { { 0, 0 } };
+  double normal[2] = { 0, 0 }; ///< of the common direction
 };
 
 }

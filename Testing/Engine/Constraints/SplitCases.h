@@ -69,6 +69,18 @@ inline bool crossing(const Cloud& cloud, const Segment& s, const Segment& t, At&
   return true;
 }
 
+/// Is q inside the segment from a to b?
+inline bool isInside(const At& q, const At& a, const At& b)
+{
+  if ((a < b ? !(a < q && q < b) : !(b < q && q < a)) || std::minmax(a[1], b[1]).first > q[1] ||
+    std::minmax(a[1], b[1]).second < q[1])
+  {
+    return false;
+  }
+  return (mpq_class(b[0]) - a[0]) * (mpq_class(q[1]) - a[1]) ==
+    (mpq_class(b[1]) - a[1]) * (mpq_class(q[0]) - a[0]);
+}
+
 struct Case
 {
   Cloud cloud;
@@ -231,10 +243,33 @@ inline std::string faultOfPoints(
   }
   for (std::size_t c = 0; c < wanted.size(); ++c)
   {
-    if (!std::includes(inside[c].begin(), inside[c].end(), wanted[c].begin(), wanted[c].end()) ||
-      (result.rounds <= 1 && inside[c] != wanted[c]))
+    if (!std::includes(inside[c].begin(), inside[c].end(), wanted[c].begin(), wanted[c].end()))
     {
       return "a crossing is not rounded correctly";
+    }
+    // It is divided in no other positions but points on it, of which it keeps all.
+    std::set<At> on;
+    for (const At& place : taken)
+    {
+      if (isInside(place, placeOf(of[c].front()), placeOf(of[c].back())))
+      {
+        on.insert(place);
+        bool stays = inside[c].count(place) != 0;
+        for (std::size_t i = 1; !stays && i < of[c].size(); ++i)
+        {
+          stays = isInside(place, placeOf(of[c][i - 1]), placeOf(of[c][i]));
+        }
+        if (!stays)
+        {
+          return "a point is no longer on a constraint";
+        }
+      }
+    }
+    const auto isKnown = [&](const At& place)
+    { return on.count(place) + wanted[c].count(place) > 0; };
+    if (result.rounds <= 1 && !std::all_of(inside[c].begin(), inside[c].end(), isKnown))
+    {
+      return "a constraint is divided where nothing is";
     }
   }
   return (result.rounds > 0) == any ? "" : "rounds are wrong";

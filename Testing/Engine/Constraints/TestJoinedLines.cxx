@@ -74,15 +74,6 @@ double heightOver(const At& q, const Point& a, const Point& b)
   return roundingOf(mpq_class(a[2]) + share * (mpq_class(b[2]) - mpq_class(a[2])));
 }
 
-/// Is q inside the segment from a to b?
-bool isInside(const At& q, const At& a, const At& b)
-{
-  const auto less = [](const At& p, const At& r) { return p < r; };
-  const mpq_class area = (mpq_class(b[0]) - a[0]) * (mpq_class(q[1]) - a[1]) -
-    (mpq_class(b[1]) - a[1]) * (mpq_class(q[0]) - a[0]);
-  return area == 0 && (less(a, q) ? less(q, b) : less(b, q) && less(q, a));
-}
-
 /// What is wrong with the joined points: each position has its first point, those of the input
 /// before those of lines, and no other is added.
 std::string faultOfJoined(const Joining& run)

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which points are exactly on which segments.
+#ifndef flipflop_PointsOnSegments_h
+#define flipflop_PointsOnSegments_h
+
+#include "Constraints/Position.h"
+#include "Points/PointSource.h"
+#include "Support/Monitor.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace flipflop
+{
+
+struct PositionOnSegment
+{
+  std::uint32_t segment;
+  Position position; ///< inside it
+};
+
+/// The positions of points inside segments, each once: by segments, and along each.
+/// @param segments from their lower positions
+/// @throw Error TooManyPoints, Aborted
+std::vector<PositionOnSegment> pointsOnSegments(const std::vector<Position>& positions,
+  const std::vector<PositionSegment>& segments, const PointSource& source, Monitor& monitor);
+
+}
+
+#endif
