@@ -143,12 +143,14 @@ public:
    *
    * The output then has a new point at each crossing, after the others. Its place in the plane of
    * the triangulation is the crossing with each coordinate rounded to the nearest double, so
-   * constraints bend there, by half a unit in the last place at most. Where bent constraints cross
-   * anew, which is rare, they are split once more. A crossing that is the position of a point, as
+   * constraints bend there, by half a unit in the last place at most, between the points that are
+   * on them: these stay on them. Where bent constraints cross again, which is rare, they are split
+   * once more. A crossing that is the position of a point, as
    * rounded, takes that point.
    *
    * Positions in space and point data are interpolated along the first of the constraints that
-   * cross there, by their order in the source: lines, then polygons. So for XY_PLANE that line's z
+   * cross there, by their order in the source: lines, then polygons, whose last side is the one
+   * that closes them. So for XY_PLANE that line's z
    * counts; those of the others are in HeightRange: see SetSourcePoints(). Data that cannot be
    * interpolated, such as global ids, is not passed then. The points of the output are double. In
    * vtkOriginalPointIds, new points have -1.

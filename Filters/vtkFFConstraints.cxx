@@ -231,18 +231,14 @@ void vtkFFConstraints::Take(vtkCellArray* cells, vtkIdType firstCell, Cells whic
     {
       continue;
     }
-    const vtkIdType size = corners->GetNumberOfIds();
-    for (vtkIdType k = which == Cells::Polygons ? 0 : 1; k < size; ++k)
-    {
-      const vtkIdType before = corners->GetId(k > 0 ? k - 1 : size - 1);
-      this->Ends.push_back(this->GetId(before, firstCell + i));
-      this->Ends.push_back(this->GetId(corners->GetId(k), firstCell + i));
-      if (ring < 0)
+    flipflop::eachConstraintAlong(corners->GetPointer(0), corners->GetNumberOfIds(),
+      which == Cells::Polygons,
+      [&](vtkIdType from, vtkIdType to)
       {
-        std::swap(this->Ends.back(), this->Ends[this->Ends.size() - 2]);
-      }
-      this->CellIds.push_back(firstCell + i);
-    }
+        this->Ends.push_back(this->GetId(ring < 0 ? to : from, firstCell + i));
+        this->Ends.push_back(this->GetId(ring < 0 ? from : to, firstCell + i));
+        this->CellIds.push_back(firstCell + i);
+      });
   }
 }
 

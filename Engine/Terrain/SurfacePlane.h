@@ -151,8 +151,9 @@ public:
   bool isBeyond(const Vertex& p, double tolerance) const
   {
     int sign = 0;
-    return this->rough.compare(p, tolerance, sign) ? sign > 0
-                                                   : this->isBeyond(p, this->height(p), tolerance);
+    return !std::isinf(tolerance) &&
+      (this->rough.compare(p, tolerance, sign) ? sign > 0
+                                               : this->isBeyond(p, this->height(p), tolerance));
   }
 
   /// The same.
@@ -161,7 +162,7 @@ public:
   {
     // Rounding is monotone.
     const double size = std::fabs(rounded);
-    if (size != tolerance)
+    if (size != tolerance || std::isinf(tolerance))
     {
       return size > tolerance;
     }

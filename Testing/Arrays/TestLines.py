@@ -13,6 +13,7 @@ from vtkflipflop.arrays import (
     JoinedTriangulation,
     constrained_triangulation,
     regular_triangulation,
+    split_crossings,
     validate,
 )
 
@@ -63,7 +64,28 @@ def test_points_that_lines_add():
         assert other.points.tobytes() == ours.points.tobytes() and np.array_equal(other.simplices, ours.simplices)
 
 
+def test_points_on_lines_stay_on_them():
+    line, across = np.array([(0, 0, 1), (6, 2, 1)]), np.array([(1, -1, 1), (1, 3, 1)])
+    points = np.array([(3, 1, 7), (0, 4, 0), (6, 4, 0), (6, -2, 0), (0, -2, 0)], float)
+    ours = constrained_triangulation(points, [line, across])
+    assert (ours.fixed_edges == 0).sum() == 2 and ours.height_range[0].tolist() == [1, 7] and ours.points[0, 2] == 7
+    split = split_crossings(np.vstack([points, line, across])[:, :2], [[5, 6], [7, 8]])
+    assert (regular_triangulation(split.points, constraints=split).fixed_edges == 0).sum() == 2
+    assert split.constraints.tolist() == [[5, 9], [9, 0], [0, 6], [7, 9], [9, 8]]
+    # Of a side that two polygons share, and a line crosses, both have the same pieces: no hole is between them.
+    polygons = [mapping("Polygon", [ring]) for ring in ([(0, 0), (6, 2), (0, 5)], [(0, 0), (3, 1), (6, 2), (6, -3)])]
+    parcels = constrained_triangulation([], [*polygons, across[:, :2]])
+    assert len(parcels.__geo_interface__["coordinates"]) == len(parcels.boundary) == 1
+    # An end on another line, which a third one crosses.
+    ends = [[(500473, 4100800), (500643, 4100562)], [(500578, 4100653), (500411, 4100744)], [(500300, 4100469), (500627, 4100683)]]
+    utm = constrained_triangulation([], [np.array(pair, float) for pair in ends])
+    at = np.flatnonzero((utm.points == ends[1][0]).all(axis=1))[0]
+    assert (utm.fixed_edges == at).sum() == 3
+
+
 def test_lines_without_heights_lie_on_the_points():
+    with pytest.warns(UserWarning, match=r"leave the points' hull: first at \(10.0, 1.0\), \d such .* heights are NaN"):
+        ours = constrained_triangulation(GROUND, [LINE[:, :2] * [10, 1], OTHER[:, :2]])
     ours = constrained_triangulation(GROUND, [LINE[:, :2], OTHER[:, :2]])
     added = ours.points[200:]
     wanted = regular_triangulation(GROUND).interpolate(GROUND[:, 2], added[:, :2])

@@ -107,6 +107,9 @@ def test_lines_and_their_heights():
         terrain_mesh(bad, lines=ROAD)
     left = terrain_mesh(bad, lines=ROAD, non_finite="ignore")
     assert np.isnan(left.errors[over]) and 9.0 in left.joined.points[1200:, 2]
+    joined = left.joined
+    assert joined.points[:1200].tobytes() == bad.tobytes() and joined.validate() and len(joined.polygons)
+    assert over not in joined.vertices and joined.certificate[over] == -1 and joined.areas.sum() > 0
     # Lines without heights take them from the points.
     flat = terrain_mesh(POINTS, tolerance=0.2, lines=DITCH[:, :2])
     assert np.isfinite(flat.joined.points).all() and flat.joined.height_range is None

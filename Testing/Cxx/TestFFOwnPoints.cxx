@@ -208,6 +208,15 @@ void testBorders()
     run->SetPolygonRule(Filter::DIRECTION);
     FF_CHECK_EQUAL(run.Watched::Run()->GetNumberOfPolys(), lines[0][0] == 0 ? 2 : 8);
   }
+  // The side that closes a polygon is its last: where sides cross, another's height counts.
+  Run tie(makePoints(corners),
+    sourceOf({ { 2, 2, 1 }, { 6, 2, 2 }, { 2, 6, 4 }, { 6, 6, 8 } }, {}, { { 0, 1, 2, 3 } }));
+  tie->SetSplitCrossingConstraints(true);
+  vtkPolyData* const output = tie.Watched::Run();
+  Point x;
+  output->GetPoint(output->GetNumberOfPoints() - 1, x.data());
+  FF_CHECK((x == Point{ 4, 4, 3 }));
+  FF_CHECK(tie.Value("HeightRange", 8) == 3 && tie.Value("HeightRange", 8, 1) == 4.5);
   Run open(makePoints(corners), sourceOf(ring, { { 0, 1, 2, 3 }, { 0, 1, 0 } }));
   open->SetClosedLinesAsBorders(true);
   FF_CHECK_EQUAL(open.Watched::Run()->GetNumberOfPolys(), 10);

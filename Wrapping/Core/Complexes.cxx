@@ -27,6 +27,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -200,6 +201,32 @@ Constrained restoredConstrained(const std::tuple<State, std::optional<State>>& s
   return self;
 }
 
+/// The ends of the constraints along chains of ids, and the chain of each.
+/// @param offsets where each chain begins, ascending; then how many ids there are
+nb::tuple constraintsAlong(const IdArray& offsets, const IdArray& ids, bool areRings)
+{
+  const auto ends = std::make_shared<std::vector<std::int64_t>>();
+  const auto chainOf = std::make_shared<std::vector<std::int64_t>>();
+  for (std::size_t chain = 0; chain + 1 < offsets.shape(0); ++chain)
+  {
+    const std::int64_t begin = offsets.data()[chain], end = offsets.data()[chain + 1];
+    if (begin < 0 || end < begin || end > static_cast<std::int64_t>(ids.shape(0)))
+    {
+      throw nb::value_error("offsets have to ascend");
+    }
+    eachConstraintAlong(ids.data() + begin, end - begin, areRings,
+      [&](std::int64_t from, std::int64_t to)
+      {
+        ends->insert(ends->end(), { from, to });
+        chainOf->push_back(static_cast<std::int64_t>(chain));
+      });
+  }
+  using Owner = std::shared_ptr<const std::vector<std::int64_t>>;
+  const std::size_t count = chainOf->size();
+  return nb::make_tuple(arrayOf(ends->data(), { count, 2 }, Owner(ends)),
+    arrayOf(chainOf->data(), { count }, Owner(chainOf)));
+}
+
 /// The pieces, the constraint of each, how many are sides of polygons, and the new positions.
 nb::tuple splitOf(const InputArray& points, const EndsArray& ends, std::int64_t polygonSides,
   const Settings& settings)
@@ -348,6 +375,7 @@ void bindComplexes(nb::module_& module)
   module.def("constrained_queries", &constrainedSites);
   module.def("constrained_triangulation", &constrained, "points"_a, "ends"_a, "sides"_a,
     "by_direction"_a, "features"_a.none(), "settings"_a);
+  module.def("constraints_along", &constraintsAlong);
   module.def("split_crossings", &splitOf);
   nb::class_<Joined>(module, "JoinedLines");
   module.def("closed_lines", &closedOf);

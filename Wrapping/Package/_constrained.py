@@ -90,7 +90,7 @@ class ConstrainedTriangulation(RegularTriangulation):
             as_polygons = _core.Settings(0, True, self._ignores, 1, None)
             with unchanged():
                 whole = _core.constrained_triangulation(
-                    self.points, self.constraints, self._sides, self._by_direction, self._features, as_polygons
+                    self._sites, self.constraints, self._sides, self._by_direction, self._features, as_polygons
                 )
             core = whole.inside()
             if not np.array_equal(core.triangles().corners(), self._core.corners()):
@@ -144,7 +144,7 @@ class ConstrainedTriangulation(RegularTriangulation):
     def validate(self, *, threads: int = 0) -> Validation:
         """Decides exactly whether this is the constrained triangulation of the points, before cells were left out."""
         fault, text, index = _core.validate_constrained(
-            self.points, self.constraints, self._sides, self._whole, threads
+            self._sites, self.constraints, self._sides, self._whole, threads
         )
         return Validation(fault == 0, text, index)
 
@@ -157,7 +157,7 @@ class ConstrainedTriangulation(RegularTriangulation):
     @cached_property
     def _queries(self) -> Any:
         with unchanged():
-            return _core.constrained_queries(self.points, self._whole, QUIET)
+            return _core.constrained_queries(self._sites, self._whole, QUIET)
 
 
 def constrained_triangulation(

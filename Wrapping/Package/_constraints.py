@@ -4,10 +4,7 @@
 
 from __future__ import annotations
 
-import sys
-import warnings
 from collections.abc import Iterable, Sequence
-from pathlib import Path
 from typing import Any, Literal, NamedTuple, cast
 
 import numpy as np
@@ -15,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import choice_of
-from ._errors import InputError
+from ._errors import InputError, warn_caller
 from ._input import ids_of, is_array_like, points_of, refuse_geometry
 from ._results import Floats, Ids, NonFinite, Polygons, Progress, frozen, ignores, refrozen, run, settings
 
@@ -114,11 +111,7 @@ class Constraints:
         hint = ""
         if self.by_direction:
             hint = ": what is on the left of a side is inside; reverse the polygons, or pass polygon_rule='even-odd'"
-        level, frame = 1, sys._getframe()
-        here = Path(__file__).parent
-        while frame.f_back is not None and Path(frame.f_code.co_filename).parent == here:
-            level, frame = level + 1, frame.f_back
-        warnings.warn("no cell is inside the polygons, so none is left" + hint, stacklevel=level)
+        warn_caller("no cell is inside the polygons, so none is left" + hint)
 
     def _is_pair(self, row: int) -> bool:
         return self._are_pairs and row < len(self._lines)
@@ -132,20 +125,12 @@ def joined(what: str, values: Chains | None, are_closed: bool) -> tuple[Ids, Ids
     """The pairs of consecutive ids, of the last and the first, too, if closed; and the number of each pair's chain."""
     chains_of = _chains(what, [] if values is None else values)
     offsets, ids = chains_of.offsets, chains_of.connectivity
-    begins, lasts, sizes = offsets[:-1], offsets[1:] - 1, np.diff(offsets)
+    sizes = np.diff(offsets)
     _require(sizes, 2 + are_closed, what)
-    to = np.roll(ids, -1)
-    are_last = np.zeros(len(ids), bool)
     if are_closed:
-        # A last id that is the first again closes the ring by itself.
-        are_again = ids[begins] == ids[lasts]
-        _require(sizes - are_again, 3, what)
-        to[lasts] = ids[begins]
-        are_last[lasts[are_again]] = True
-    else:
-        are_last[lasts] = True
-    chains = np.repeat(np.arange(len(sizes)), sizes)
-    return np.column_stack([ids, to])[~are_last], chains[~are_last]
+        _require(sizes - (ids[offsets[:-1]] == ids[offsets[1:] - 1]), 3, what)
+    ends, chain_of = _core.constraints_along(offsets, ids, are_closed)
+    return ends, chain_of
 
 
 def _require(sizes: NDArray[Any], least: int, what: str) -> None:

@@ -6,8 +6,11 @@ from __future__ import annotations
 
 import errno
 import os
+import sys
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 
@@ -127,3 +130,12 @@ def of_file(number: int, path: os.PathLike[str]) -> OSError:
     """The exception for a file that the engine could not read or write."""
     advice = ": if it is damaged, remove its folder" if number == errno.EIO else ""
     return OSError(number, os.strerror(number) + advice, os.fspath(path))
+
+
+def warn_caller(sentence: str) -> None:
+    """A warning at the line outside of this package that called."""
+    level, frame = 1, sys._getframe()
+    here = Path(__file__).parent
+    while frame.f_back is not None and Path(frame.f_code.co_filename).parent == here:
+        level, frame = level + 1, frame.f_back
+    warnings.warn(sentence, stacklevel=level)

@@ -169,12 +169,10 @@ def lines_from(
     if closed_are_rings:
         positions = np.ascontiguousarray(points[ids, :2], np.float64)
         signs[~are_rings] = _core.closed_lines(positions, offsets, int(are_rings.sum()), QUIET)
-    to = np.roll(ids, -1)
-    to[offsets[1:][are_rings] - 1] = ids[offsets[:-1][are_rings]]
-    kept = np.ones(len(ids), bool)
-    kept[offsets[1:][~are_rings] - 1] = False
-    chain_of = np.repeat(np.arange(len(chains)), sizes)[kept]
-    ends = np.column_stack([ids, to])[kept]
+    first = int((~are_rings).sum())
+    lines, line_of = _core.constraints_along(offsets[: first + 1], ids, False)
+    sides_of_rings, ring_of = _core.constraints_along(offsets[first:], ids, True)
+    ends, chain_of = np.concatenate([lines, sides_of_rings]), np.concatenate([line_of, first + ring_of])
     ends[signs[chain_of] < 0] = ends[signs[chain_of] < 0, ::-1]
     geometries = np.array([chain.geometry for chain in chains], np.int64)
     of = geometries[chain_of] if are_features else chain_of

@@ -14,7 +14,7 @@ from . import _core
 from ._arguments import flag_of
 from ._constrained import ConstrainedTriangulation
 from ._constraints import Constraints, PolygonRule
-from ._errors import InputError
+from ._errors import InputError, warn_caller
 from ._geometries import Degenerate, Lines, lines_of
 from ._input import points_of
 from ._results import Facets, Floats, Ids, NonFinite, Progress, frozen, ignores, report_of, settings, stretch
@@ -51,7 +51,12 @@ class JoinedTriangulation(ConstrainedTriangulation):
     degenerate: int
     _line_points: Ids  # that were added
     _crossed: Ids  # of each crossing, the ends of the first line there
+    _masked: Floats | None  # the points, where some were left out for their height
     _call: ClassVar[str] = "constrained_triangulation(points, lines)"
+
+    @property
+    def _sites(self) -> NDArray[Any]:
+        return self.points if self._masked is None else self._masked
 
     def __repr__(self) -> str:
         added, crossings = ((self.point_origin == origin).sum() for origin in (1, 2))
@@ -90,14 +95,14 @@ def constrained_triangulation(
 ) -> JoinedTriangulation:
     """The exact constrained Delaunay triangulation of points and lines, as they come: breaklines, outlines, geometries.
 
-    The points of lines are added. At the x and y of a point, that point is used. Lines may cross: a point is added
-    there, with each coordinate rounded to the nearest double.
+    The points of lines are added. At the x and y of a point, that point is used. A line is divided at all points on
+    it. Lines may cross: a point is added there, with each coordinate rounded to the nearest double.
 
     Heights are the third coordinates. A point keeps its own; an added one has that of the first line that has a point
     there, and a crossing that of the first line that crosses, linear between its points. Lines come before polygons, in
     the order in which they are given. No other height is lost: see `height_range` and `differing` of the result. Lines
     without heights take them from the points: an added point has what
-    `regular_triangulation(points).interpolate(points[:, 2], ...)` gives, NaN outside of the points' hull.
+    `regular_triangulation(points).interpolate(points[:, 2], ...)` gives: NaN, and a warning, outside of the points' hull.
 
     Parameters
     ----------
@@ -141,9 +146,17 @@ def constrained_triangulation(
 
 
 def joined_triangulation(
-    array: NDArray[Any], given: Lines, polygon_rule: PolygonRule, left_out: bool, part: Callable[[float, float], Any]
+    array: NDArray[Any],
+    given: Lines,
+    polygon_rule: PolygonRule,
+    left_out: bool,
+    part: Callable[[float, float], Any],
+    heights_needed: bool = False,
 ) -> JoinedTriangulation:
-    """With the settings of each part of the run."""
+    """With the settings of each part of the run.
+
+    heights_needed: whether a line without heights that leaves the points' hull is an error, not a warning
+    """
     by_direction = Constraints(None, None, polygon_rule).by_direction
     if not len(array):
         array = np.empty((0, given.points.shape[1]))
@@ -172,6 +185,8 @@ def joined_triangulation(
             points=array, weights=None, _core=_core.regular_triangulation(array, None, last), _ignores=left_out
         )
         whole[len(array) :, 2] = plain.interpolate(array[:, 2], added)
+        unknown = np.flatnonzero(np.isnan(whole[len(array) :, 2]))
+        _refuse_outside(added, unknown[plain.locate(added[unknown]) < 0], len(array), heights_needed)
     counts = len(array), len(line_points), len(added) - len(line_points)
     origin = np.repeat(np.array([0, 1, 2], np.uint8), counts)
     return JoinedTriangulation._of(
@@ -186,6 +201,7 @@ def joined_triangulation(
         _crossed=np.column_stack(
             [pieces[np.searchsorted(piece_of, crossed), 0], pieces[np.searchsorted(piece_of, crossed, "right") - 1, 1]]
         ),
+        _masked=None,
         differing=differing,
         _core=core.inside(),
         _ignores=left_out,
@@ -195,3 +211,14 @@ def joined_triangulation(
         _by_direction=by_direction,
         _features=features,
     )
+
+
+def _refuse_outside(added: Floats, outside: Ids, given: int, heights_needed: bool) -> None:
+    """Of these points that lines add, those outside of the points' hull have no height."""
+    if not len(outside):
+        return
+    first = tuple(added[outside[0]].tolist())
+    sentence = f"lines without heights leave the points' hull: first at {first}, {len(outside)} such point(s) in all"
+    if heights_needed:
+        raise InputError(sentence, "bad_argument", given + int(outside[0]), len(outside))
+    warn_caller(sentence + ", whose heights are NaN")

@@ -19,7 +19,20 @@ from ._errors import InputError
 from ._geometries import Degenerate, Lines, lines_of
 from ._input import column_of, either_left_out, points_of
 from ._lines import JoinedTriangulation, joined_triangulation
-from ._results import Floats, Frozen, Ids, NonFinite, Progress, edges_of, ignores, named, report_of, settings, stretch
+from ._results import (
+    Floats,
+    Frozen,
+    Ids,
+    NonFinite,
+    Progress,
+    edges_of,
+    frozen,
+    ignores,
+    named,
+    report_of,
+    settings,
+    stretch,
+)
 
 
 class TerrainMesh(Frozen):
@@ -172,16 +185,15 @@ def mesh_with_lines(
 ) -> TerrainMesh:
     """The mesh of points and lines of their own, with the settings of each part of the run."""
     whole = np.array(array[:, :3] if levels is None else np.column_stack([array[:, :2], levels]), np.float64)
-    whole[~np.isfinite(whole[:, 2]), 0] = np.nan  # such a point is no line's
+    masked = whole.copy()
+    masked[~np.isfinite(whole[:, 2]), 0] = np.nan  # such a point is no line's
     edges = lines._replace(sides=0, features=None)
     joined = joined_triangulation(
-        whole, edges, "even-odd", left_out, lambda begin, end: part(0.5 * begin, 0.5 * end)
+        masked, edges, "even-odd", left_out, lambda begin, end: part(0.5 * begin, 0.5 * end), True
     )
-    outside = len(array) + np.flatnonzero(np.isnan(joined.points[len(array) :, 2]))
-    if len(outside):
-        first = tuple(joined.points[outside[0], :2].tolist())
-        sentence = f"lines without heights leave the points' hull: first at {first}, {len(outside)} such point(s) in all"
-        raise InputError(sentence, "bad_argument", int(outside[0]), len(outside))
+    if left_out:
+        given = frozen(np.concatenate([whole, joined.points[len(array) :]]))
+        joined = JoinedTriangulation._of(**{**vars(joined), "points": given, "_masked": joined.points})
     found = _core.terrain_mesh(joined.points, None, joined.constraints, *limits, part(0.5, 1.0))
     found["statistics"] = named(found["statistics"])
     return TerrainMesh._of(joined=joined, **found)

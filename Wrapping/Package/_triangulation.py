@@ -93,7 +93,7 @@ class RegularTriangulation(Cells):
         With it, a program that shares nothing with the engine checks the triangulation in linear time:
         Checker/check_result.py. -1: the point is not finite and ignored, or only cells that are left out hold it.
         """
-        found = self.locate(self.points, non_finite="ignore" if self._ignores else "error")
+        found = self.locate(self._sites, non_finite="ignore" if self._ignores else "error")
         return frozen(np.asarray(found))
 
     @property
@@ -114,7 +114,7 @@ class RegularTriangulation(Cells):
         limit = length_of("limit", limit)
         chosen = settings(threads, "triangles", "error", "cpu", None, False)
         with unchanged():
-            found = run(chosen, _core.cells_within_edge_length, self.points, self._triangles, limit)
+            found = run(chosen, _core.cells_within_edge_length, self._sites, self._triangles, limit)
         within: NDArray[np.bool_] = found.view(np.bool_)
         return within
 
@@ -355,6 +355,11 @@ class RegularTriangulation(Cells):
             f"cells, {len(self.hidden)} hidden>"
         )
 
+    @property
+    def _sites(self) -> NDArray[Any]:
+        """The points, as the engine was given them."""
+        return self.points
+
     @cached_property
     def _queries(self) -> Any:
         with unchanged():
@@ -362,7 +367,7 @@ class RegularTriangulation(Cells):
 
     @cached_property
     def _measures(self) -> tuple[Floats, Floats]:
-        return _core.triangle_measures(self.points, self._triangles)
+        return _core.triangle_measures(self._sites, self._triangles)
 
 
 class PowerDiagram(Frozen):

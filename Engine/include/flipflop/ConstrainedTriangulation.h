@@ -41,6 +41,23 @@ struct ConstraintView
   }
 };
 
+/// The constraints along a chain of points, in the order in which all layers number them: between
+/// consecutive ids; last, of a ring, from its last id to its first, unless they are the same.
+/// @param ids   count of them, with operator[]
+/// @param use   void (std::int64_t from, std::int64_t to)
+template <class Ids, class Use>
+void eachConstraintAlong(const Ids& ids, std::int64_t count, bool isRing, const Use& use)
+{
+  for (std::int64_t i = 1; i < count; ++i)
+  {
+    use(ids[i - 1], ids[i]);
+  }
+  if (isRing && count > 0 && ids[count - 1] != ids[0])
+  {
+    use(ids[count - 1], ids[0]);
+  }
+}
+
 /// A triangulation that has its constraints as edges. As polygons, a cell is all points of one
 /// circle that no constraint parts.
 struct ConstrainedTriangulation : Triangulation

@@ -6,6 +6,9 @@
 /// constrainedTriangulation takes no constraints that cross between points. Here they are cut into
 /// pieces that do not, with new points where they cross.
 ///
+/// Constraints that cross are first divided at the points that are exactly on them, so all of these
+/// stay on them: between two neighbouring ones, a constraint may bend.
+///
 /// A crossing is seldom at a position that doubles can represent. So a new point is the crossing
 /// with each coordinate rounded to the nearest double, and constraints bend there, by half a unit
 /// in the last place at most. What is bent may pass on the other side of a point that is as near
@@ -75,7 +78,8 @@ struct SplitConstraints
 ///
 /// In the first round all positions are those of the given constraints, correctly rounded. Where
 /// one is, as rounded, the position of a given point, the constraints are split at this point, the
-/// lowest id there; it is not new.
+/// lowest id there; it is not new. A constraint that bends between two points on it is split at
+/// these, too; at the others on it, constrainedTriangulation parts it.
 ///
 /// The time is near-linear in the constraints and their crossings where constraints are short, or
 /// few are long. The result does not depend on the number of threads, nor on the order and the

@@ -4,6 +4,7 @@
 /// Crossing constraints in pieces: stars, bundles and streets, what does not cross, and errors. On
 /// points of every kind they are compared with brute force in TestConstraintsByReference.
 #include "Constraints/CrossingPairs.h"
+#include "Testing/Engine/Conformance/RandomCases.h"
 #include "Testing/Engine/Constraints/SplitCases.h"
 #include "Testing/Engine/Inputs/InputsConstrained.h"
 
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -137,6 +139,119 @@ TEST(ConstraintCrossings, OfBundlesTakeTheTimeOfTheirPieces)
   {
     EXPECT_LT(comparisonsOf(300, slope), 100) << slope;
   }
+}
+
+/// Lines through lattice points, of which some are given; they end on each other, overlap, and are
+/// there twice.
+Case network(Random& random)
+{
+  static const int sizes[] = { 12, 1000, 100000 };
+  const int size = sizes[random.pick(3)];
+  Case given;
+  const auto add = [&](int x, int y)
+  {
+    given.cloud.push_back({ double(x), double(y), 0 });
+    return static_cast<std::int64_t>(given.cloud.size()) - 1;
+  };
+  for (int lines = random.integer(2, 8); lines > 0; --lines)
+  {
+    int at[2] = { random.integer(0, size), random.integer(0, size) };
+    if (!given.cloud.empty() && random.integer(0, 2) == 0)
+    {
+      const Point& other = given.cloud[random.pick(given.cloud.size())];
+      std::copy_n(other.begin(), 2, at);
+    }
+    const int step[2] = { random.integer(-size / 6, size / 6),
+      random.integer(-size / 6, size / 6) };
+    const auto along = [&](int k) { return add(at[0] + k * step[0], at[1] + k * step[1]); };
+    const int last = random.integer(1, 6);
+    given.segments.push_back({ along(0), along(last) });
+    for (int more = random.integer(0, 3); more > 0; --more)
+    {
+      along(random.integer(0, last));
+    }
+    if (random.integer(0, 3) == 0)
+    {
+      given.segments.push_back({ along(random.integer(0, last)), along(last + 1) });
+    }
+  }
+  given.sides = random.integer(0, static_cast<int>(given.segments.size()));
+  return given;
+}
+
+/// Two that are not on one line have one position in common if they meet, and none if not.
+std::string faultOfMeetings(const Case& given, const SplitConstraints& result)
+{
+  const Cloud cloud = allPoints(given, result);
+  const auto of = chains(result, given.segments.size());
+  const auto placeOf = [&](std::int64_t id) {
+    return At{ cloud[static_cast<std::size_t>(id)][0], cloud[static_cast<std::size_t>(id)][1] };
+  };
+  std::vector<std::set<At>> on(of.size());
+  for (std::size_t c = 0; c < of.size(); ++c)
+  {
+    for (std::size_t i = 0; i < of[c].size(); ++i)
+    {
+      on[c].insert(placeOf(of[c][i]));
+      for (std::size_t id = 0; i > 0 && id < cloud.size(); ++id)
+      {
+        const At place = placeOf(static_cast<std::int64_t>(id));
+        if (isInside(place, placeOf(of[c][i - 1]), placeOf(of[c][i])))
+        {
+          on[c].insert(place);
+        }
+      }
+    }
+  }
+  for (std::size_t c = 0; c < of.size(); ++c)
+  {
+    const At a = placeOf(of[c].front()), b = placeOf(of[c].back());
+    for (std::size_t d = 0; d < c; ++d)
+    {
+      const At p = placeOf(of[d].front()), q = placeOf(of[d].back());
+      if ((b[0] - a[0]) * (q[1] - p[1]) == (b[1] - a[1]) * (q[0] - p[0]))
+      {
+        continue; // integers are exact
+      }
+      const auto isOn = [](const At& x, const At& y, const At& z)
+      { return x == y || x == z || isInside(x, y, z); };
+      At rounded;
+      const bool meet = isOn(a, p, q) || isOn(b, p, q) || isOn(p, a, b) || isOn(q, a, b) ||
+        crossing(given.cloud, given.segments[c], given.segments[d], rounded);
+      const auto common = std::count_if(
+        on[c].begin(), on[c].end(), [&](const At& place) { return on[d].count(place) != 0; });
+      if (common != (meet ? 1 : 0))
+      {
+        return std::to_string(c) + " and " + std::to_string(d) + " meet in " +
+          std::to_string(common) + " positions";
+      }
+    }
+  }
+  return "";
+}
+
+/// All in rationals; FLIPFLOP_TEST_CASES of them.
+TEST(ConstraintCrossings, OfNetworksKeepThePointsOnLines)
+{
+  const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", effort(300));
+  std::int64_t points = 0;
+  for (std::int64_t seed = 0; seed < count; ++seed)
+  {
+    Random random(static_cast<std::uint64_t>(seed));
+    const Case given = network(random);
+    const SplitConstraints result = split(given);
+    ASSERT_EQ(faultOf(given, result) + faultOfMeetings(given, result), "") << "seed " << seed;
+    ASSERT_EQ(faultOfOrder(given, result, random), "") << "seed " << seed;
+    for (const int threads : { 2, 4 })
+    {
+      const SplitConstraints other = split(given, threads);
+      ASSERT_TRUE(sameBits(other.ends, result.ends) &&
+        sameBits(other.positions, result.positions) && sameBits(other.crossing, result.crossing))
+        << "seed " << seed;
+    }
+    points += result.newPointCount();
+  }
+  EXPECT_GT(points, count);
 }
 
 TEST(ConstraintCrossings, AreNoCommonEndsNorOverlaps)

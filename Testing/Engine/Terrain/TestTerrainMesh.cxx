@@ -403,6 +403,14 @@ TEST(TerrainMesh, ToleranceIsExact)
   given.tolerance = std::nextafter(1.0 / 3, 1);
   EXPECT_EQ(meshOf(given).pointIds.size(), 3);
   EXPECT_EQ(meshOf(given).errors[3], -1.0 / 3);
+  // Nothing is beyond an infinite one, whatever the error's magnitude.
+  for (const double height : { 1.0, std::numeric_limits<double>::max() })
+  {
+    given = { { { 0, 0, -height }, { 3, 0, -height }, { 0, 3, 0 }, { 1, 1, height } }, {},
+      infinite };
+    EXPECT_EQ(meshOf(given).pointIds.size(), 3);
+    EXPECT_EQ(meshOf(given).beyond, 0);
+  }
 
   // As a fraction of the range of heights, which may exceed the doubles.
   for (const double unit : { 1.0, 0x1p1023 })
