@@ -153,9 +153,9 @@ Case network(Random& random)
     given.cloud.push_back({ double(x), double(y), 0 });
     return static_cast<std::int64_t>(given.cloud.size()) - 1;
   };
-  for (int lines = random.integer(2, 8); lines > 0; --lines)
+  for (int lines = random.integer(3, 12); lines > 0; --lines)
   {
-    int at[2] = { random.integer(0, size), random.integer(0, size) };
+    int at[2] = { random.integer(0, size / 2), random.integer(0, size / 2) };
     if (!given.cloud.empty() && random.integer(0, 2) == 0)
     {
       const Point& other = given.cloud[random.pick(given.cloud.size())];
