@@ -43,43 +43,8 @@ public:
   }
   ///@}
 
-  /// use (segment) for each that may be at a position, perhaps several times.
-  template <class Use>
-  void eachAt(const Position& position, const Use& use) const
-  {
-    const Box& whole = this->boxTree.box(0);
-    for (int i = 0; i < 2; ++i)
-    {
-      if (!(whole.low[i] <= position.x[i] && position.x[i] <= whole.high[i])) // or NaN
-      {
-        return;
-      }
-    }
-    const Box box = this->boxBetween(position, position);
-    std::size_t stack[64];
-    int waiting = 0;
-    stack[waiting++] = 0;
-    while (waiting > 0)
-    {
-      const std::size_t node = stack[--waiting];
-      if (!this->boxTree.isLeaf(node))
-      {
-        for (const std::size_t child : { 2 * node + 2, 2 * node + 1 })
-        {
-          stack[waiting] = child;
-          waiting += meet(this->boxTree.box(child), box) ? 1 : 0;
-        }
-        continue;
-      }
-      for (std::uint32_t slot = this->boxTree.begin(node); slot < this->boxTree.end(node); ++slot)
-      {
-        if (meet(this->boxes[slot], box))
-        {
-          use(this->segment(slot));
-        }
-      }
-    }
-  }
+  /// The offset of a position within the box of all: its third side.
+  Box boxOf(const Position& position) const { return this->boxBetween(position, position); }
 
   static bool meet(const Box& a, const Box& b)
   {
