@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Where constraints cross, all are divided first at the points that are exactly on them. What is
+/// Constraints that cross others are first divided at the points that are exactly on them. What is
 /// between two neighbouring points is a link; constraints that overlap have it in common. Only
-/// links are bent, between their ends, so no constraint loses a point that is on it.
+/// links are bent, between their ends, so no constraint loses a point that is on it. Where a bent
+/// link then crosses a constraint that crossed no other, all begins again with all divided.
 ///
 /// Rounds of splitting: all crossings of a round are found and rounded before one of its pieces is
 /// changed, so no order of constraints shows. A piece is split in its box alone, so the pieces of a
@@ -40,16 +41,19 @@ constexpr std::size_t ItemsPerTask = 1 << 12;
 class CrossingSplitter
 {
 public:
-  CrossingSplitter(const ConstraintView& given, QueryRun& toUse)
+  /// @param all whether also constraints that cross no other are divided at the points on them
+  CrossingSplitter(const ConstraintView& given, QueryRun& toUse, bool all)
     : constraints(given)
     , run(toUse)
+    , dividesAll(all)
   {
   }
 
-  SplitConstraints split()
+  /// Returns false where a constraint would have to be bent that is not divided.
+  bool split(SplitConstraints& result)
   {
     this->readSegments();
-    SplitConstraints result;
+    result.rounds = 0;
     double begin = 0.1;
     for (bool more = true; more; begin += 0.5 * (0.9 - begin))
     {
@@ -58,9 +62,13 @@ public:
       more = !pairs.empty();
       if (more)
       {
-        if (result.rounds == 0 && this->divideAtPoints())
+        if (result.rounds == 0 && this->divideAtPoints(pairs))
         {
           pairs = this->crossings(); // not at a point
+        }
+        if (result.rounds > 0 && !this->areDivided(pairs))
+        {
+          return false;
         }
         this->splitPieces(this->splitsOf(pairs, result.rounds > 0));
         ++result.rounds;
@@ -69,7 +77,7 @@ public:
     this->run.monitor.stage(0.9, 1.0, 1, "finishing");
     this->nameInner();
     this->write(result);
-    return result;
+    return true;
   }
 
 private:
@@ -133,37 +141,78 @@ private:
     return numbers;
   }
 
-  /// Make links of the segments. Returns whether there is a point on any.
-  bool divideAtPoints()
+  /// The segments of these pairs, or all.
+  std::vector<char> chosenOf(const std::vector<CrossingPair>& pairs) const
   {
-    const std::vector<PositionOnSegment> points = pointsOnSegments(
-      this->numbers.positions(), this->pieces, this->run.source, this->run.monitor);
+    std::vector<char> isChosen(this->pieces.size(), this->dividesAll ? 1 : 0);
+    for (const CrossingPair& pair : pairs)
+    {
+      isChosen[pair.first] = isChosen[pair.second] = 1;
+    }
+    return isChosen;
+  }
+
+  /// Make links of segments that cross. Returns whether there is a point on any.
+  bool divideAtPoints(const std::vector<CrossingPair>& pairs)
+  {
+    this->isDivided = this->chosenOf(pairs);
+    std::vector<PositionSegment> chosen;
+    for (std::size_t s = 0; s < this->pieces.size(); ++s)
+    {
+      if (this->isDivided[s])
+      {
+        chosen.push_back(this->pieces[s]);
+      }
+    }
+    const std::vector<PositionOnSegment> points =
+      pointsOnSegments(this->numbers.positions(), chosen, this->run.source, this->run.monitor);
     if (points.empty())
     {
       return false;
     }
     const std::vector<PositionSegment> segments = std::exchange(this->pieces, {});
+    const std::vector<char> isChosen = std::exchange(this->isDivided, {});
     std::unordered_map<std::uint64_t, std::uint32_t> known;
     this->links.clear();
     StepPoll poll(this->run.monitor);
     auto next = points.begin();
+    std::uint32_t number = 0; // of a chosen one
     for (std::size_t s = 0; s < segments.size(); ++s)
     {
       poll.step();
       this->firstLink[s] = this->links.size();
       std::uint32_t from = segments[s].from;
-      for (; next != points.end() && next->segment == s; ++next)
+      for (; isChosen[s] && next != points.end() && next->segment == number; ++next)
       {
         const std::uint32_t index = this->numbers.add(next->position);
         this->links.push_back(this->pieceOf({ from, index }, known));
         from = index;
       }
       this->links.push_back(this->pieceOf({ from, segments[s].to }, known));
+      number += isChosen[s] ? 1 : 0;
+      this->isDivided.resize(this->pieces.size(), 0);
+      for (std::size_t l = this->firstLink[s]; isChosen[s] && l < this->links.size(); ++l)
+      {
+        this->isDivided[this->links[l]] = 1;
+      }
     }
     this->firstLink.back() = this->links.size();
     this->firstPiece = countedFrom0(this->pieces.size());
     this->findMeetings();
     return true;
+  }
+
+  /// Are these pieces of constraints that were divided?
+  bool areDivided(const std::vector<CrossingPair>& pairs) const
+  {
+    const auto isOfDivided = [this](std::size_t piece)
+    {
+      const auto next = std::upper_bound(this->firstPiece.begin(), this->firstPiece.end(), piece);
+      return this->isDivided[static_cast<std::size_t>(next - this->firstPiece.begin()) - 1] != 0;
+    };
+    return std::all_of(pairs.begin(), pairs.end(),
+      [&](const CrossingPair& pair)
+      { return isOfDivided(pair.first) && isOfDivided(pair.second); });
   }
 
   /// The points in which segments cross: several links go on from there.
@@ -483,11 +532,13 @@ private:
 
   const ConstraintView constraints;
   QueryRun& run;
+  const bool dividesAll;
   PositionNumbers numbers;
   std::vector<std::uint32_t> segmentOf; ///< by constraint; NoIndex: it is but a position
   std::vector<bool> isTurned;           ///< by constraint: it runs against its segment
   std::vector<std::uint32_t> links;     ///< of the segments, one after another
   std::vector<std::size_t> firstLink;   ///< by segment; then how many links there are
+  std::vector<char> isDivided;          ///< by link: no point is inside it
   std::vector<char> isMet;              ///< by position, of those between links: others are met
   std::vector<PositionSegment> pieces;  ///< of the links, one after another
   std::vector<std::size_t> firstPiece;  ///< by link; then how many pieces there are
@@ -511,7 +562,10 @@ SplitConstraints splitCrossings(
         {
           run.scanPoints(result.statistics);
           requireFinite(constraints, run.source, run.checkFinite);
-          split = CrossingSplitter(constraints, run).split();
+          if (!CrossingSplitter(constraints, run, false).split(split))
+          {
+            CrossingSplitter(constraints, run, true).split(split);
+          }
         });
       return split;
     });
