@@ -43,8 +43,10 @@ struct ConstraintView
 
 /// The constraints along a chain of points, in the order in which all layers number them: between
 /// consecutive ids; last, of a ring, from its last id to its first, unless they are the same.
-/// @param ids   count of them, with operator[]
-/// @param use   void (std::int64_t from, std::int64_t to)
+/// @param ids    of the points, with operator[]
+/// @param count  how many
+/// @param isRing whether the chain is one
+/// @param use    void (std::int64_t from, std::int64_t to)
 template <class Ids, class Use>
 void eachConstraintAlong(const Ids& ids, std::int64_t count, bool isRing, const Use& use)
 {
