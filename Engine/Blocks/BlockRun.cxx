@@ -419,7 +419,9 @@ BlockMessage BlockRun::State::reply(const BlockMessage& message)
         ensure(this->frame->holds(query.corner[i]));
       }
     }
-    writer.addAll(this->repliesOfVisible().conflicts(queries));
+    const ConflictReply found = this->repliesOfVisible().conflicts(queries);
+    this->statistics.exactCalls += found.exactCalls;
+    writer.addAll(found.sites);
   }
   ensure(reader.atEnd());
   return std::move(writer.message);

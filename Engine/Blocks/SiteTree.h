@@ -5,6 +5,8 @@
 ///
 /// A tree of boxes, best first: a node waits with the furthest that a point of its box could be
 /// above the facet. What is certainly beneath is never examined; for the rest, exact signs decide.
+/// A search ends where it has examined too many points: those of facets near which all points are
+/// (of one circle, of one line) would examine all.
 #ifndef flipflop_SiteTree_h
 #define flipflop_SiteTree_h
 
@@ -67,13 +69,19 @@ public:
       });
   }
 
-  /// Tell points above the facet abc: all about the furthest, up to @p limit, one if there is any.
+  /// Emits points above the facet abc: about the furthest, up to @p limit, all if there are fewer.
   /// If there is none, and if wanted, all points on it.
-  /// @param emit void (std::uint32_t item)
+  /// @param examined so many points may be; becomes what remains of them
+  /// @param emit     void (std::uint32_t item)
+  /// @return         false, and nothing is emitted, if these were not enough
   template <class Emit>
-  void conflicts(const Geometry& geometry, const ConflictBound& bound, const Vertex& a,
-    const Vertex& b, const Vertex& c, bool wantsTies, std::size_t limit, const Emit& emit) const
+  bool conflicts(const Geometry& geometry, const ConflictBound& bound, const Vertex& a,
+    const Vertex& b, const Vertex& c, bool wantsTies, std::size_t limit, std::size_t& examined,
+    const Emit& emit) const
   {
+    // Among points that rounding alone distinguishes, the furthest are not searched for.
+    constexpr std::size_t FewForHeights = 64;
+    const std::size_t before = examined;
     using Node = std::pair<double, std::size_t>; // what is furthest first
     std::priority_queue<Node> waiting;
     const auto push = [&](std::size_t node)
@@ -92,7 +100,8 @@ public:
     {
       const auto [most, node] = waiting.top();
       waiting.pop();
-      if (above.size() == limit && most <= above.front().first)
+      const bool isEnough = above.size() == limit;
+      if (isEnough && (most <= above.front().first || before - examined >= FewForHeights))
       {
         break;
       }
@@ -102,6 +111,12 @@ public:
         push(2 * node + 2);
         continue;
       }
+      const std::size_t size = this->tree.end(node) - this->tree.begin(node);
+      if (examined < size)
+      {
+        return false;
+      }
+      examined -= size;
       for (std::uint32_t slot = this->tree.begin(node); slot < this->tree.end(node); ++slot)
       {
         const BlockSite& site = this->at(slot);
@@ -131,6 +146,7 @@ public:
     {
       emit(on[i]);
     }
+    return true;
   }
 
 private:

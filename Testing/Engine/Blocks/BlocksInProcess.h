@@ -5,6 +5,7 @@
 #ifndef flipflop_test_BlocksInProcess_h
 #define flipflop_test_BlocksInProcess_h
 
+#include "Blocks/BlockReplies.h"
 #include "Blocks/BlockSummary.h"
 #include "Testing/Engine/Conformance/Compare.h"
 #include "Testing/Engine/Conformance/Kind.h"
@@ -26,14 +27,20 @@ namespace test
 class SmallSamples
 {
 public:
-  SmallSamples()
+  /// @param limits of the replies
+  explicit SmallSamples(const ReplyLimits& limits = ReplyLimits())
     : usual(sampleSizes())
   {
     sampleSizes() = { 0, 0, 0, 0 };
+    replyLimits() = limits;
   }
   SmallSamples(const SmallSamples&) = delete;
   SmallSamples& operator=(const SmallSamples&) = delete;
-  ~SmallSamples() { sampleSizes() = this->usual; }
+  ~SmallSamples()
+  {
+    sampleSizes() = this->usual;
+    replyLimits() = ReplyLimits();
+  }
 
 private:
   const SampleSizes usual;

@@ -10,7 +10,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace flipflop
@@ -158,9 +162,10 @@ TEST_P(BlocksInBulk, AreOneRun)
   const std::int64_t first = fromEnvironment("FLIPFLOP_TEST_SEED", 0);
   const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", effort(of.cases));
   int failures = 0;
-  const SmallSamples small;
   for (std::int64_t seed = first; seed < first + count && failures < 3; ++seed)
   {
+    // In half of the cases most queries are triangulated.
+    const SmallSamples small(seed / 2 % 2 ? ReplyLimits() : ReplyLimits{ 1, 0 });
     Random random(static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15u + 1);
     const Cloud cloud = of.make(random);
     const int blocks = random.integer(1, 6);
@@ -181,6 +186,57 @@ TEST_P(BlocksInBulk, AreOneRun)
 }
 
 INSTANTIATE_TEST_SUITE_P(Integers, BlocksInBulk, ::testing::ValuesIn(randomBlocks));
+
+/// The exact signs for a point do not grow with the points, also where each facet is near all of
+/// them: on a circle, on two, on a line, nearly on a line, on a lattice.
+TEST(BlocksWork, IsSteady)
+{
+  const auto onCircle = [](int i) { return Point{ std::cos(i), std::sin(i), 0 }; };
+  const std::vector<std::pair<const char*, std::function<Point(int)>>> families = {
+    { "circle", onCircle },
+    { "circles",
+      [&](int i) {
+        return Point{ onCircle(i)[0] + 3 * (i % 2), onCircle(i)[1], 0 };
+      } },
+    { "line",
+      [](int i) {
+        return Point{ i * 0.37, i * 0.37, 0 };
+      } },
+    { "near-line",
+      [](int i) {
+        return Point{ i * 0.37, i * 0.37 * 0.3, 0 };
+      } },
+    { "lattice",
+      [](int i) {
+        return Point{ double(i / 64), double(i % 64), 0 };
+      } },
+  };
+  for (const auto& [name, point] : families)
+  {
+    SCOPED_TRACE(name);
+    const auto signsFor = [&, &make = point](int count)
+    {
+      Cloud cloud;
+      for (int i = 0; i < count; ++i)
+      {
+        cloud.push_back(make(i));
+      }
+      Options options;
+      options.threads = 1;
+      const BlocksReport report =
+        runBlocks(BlockShape::Delaunay, cloud, dealInHalves(cloud, 4, 2), 4, options);
+      EXPECT_EQ(differenceFromOneRun(BlockShape::Delaunay, cloud, report, options), "");
+      return static_cast<double>(report.statistics.exactCalls) / count;
+    };
+    const double few = signsFor(1000);
+    const double many = signsFor(8000);
+    if (std::getenv("FLIPFLOP_TEST_PRINT"))
+    {
+      std::printf("%-12s %9.2f %9.2f\n", name, few, many);
+    }
+    EXPECT_LE(many, 2 * few + 2);
+  }
+}
 
 /// A thin patch has a point above a plane, also where squares of its lengths lost bits or vanished
 /// before it was scaled.
