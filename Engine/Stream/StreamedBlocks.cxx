@@ -160,7 +160,7 @@ void StreamedBlocks::summarize()
 {
   if (!this->folder.has("summaries"))
   {
-    requireAll(!haveBegun(this->folder));
+    this->folder.requireAll(!haveBegun(this->folder), "summaries");
     this->stage(0.2, 0.3, "looking at blocks", this->all,
       [this](std::int64_t block)
       {
@@ -212,7 +212,7 @@ void StreamedBlocks::begin()
   {
     files += this->beginRound(number);
   }
-  requireAll(files == mark.files);
+  this->folder.requireAll(files == mark.files, "block-*");
 }
 
 /// Marks that all files of a round are there.

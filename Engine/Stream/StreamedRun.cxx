@@ -167,7 +167,7 @@ StreamReport run(const StreamSettings& settings, std::int64_t pieces, const Read
   points.read(pieces, read);
   if (StreamedBlocks::haveBegun(folder))
   {
-    requireAll(points.counts().blocks > 0);
+    folder.requireAll(points.counts().blocks > 0, "counts");
   }
   else
   {

@@ -97,6 +97,15 @@ fs::path WorkFolder::fileOf(const std::string& name) const
   return this->path / (name + Suffix);
 }
 
+void WorkFolder::requireAll(bool areThere, const std::string& names) const
+{
+  if (!areThere)
+  {
+    throw fs::filesystem_error("files of a streamed run are missing: remove their folder",
+      this->fileOf(names), std::make_error_code(std::errc::no_such_file_or_directory));
+  }
+}
+
 bool WorkFolder::has(const std::string& name) const
 {
   return fs::exists(this->fileOf(name));

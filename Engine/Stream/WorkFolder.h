@@ -36,16 +36,6 @@ using FileSections = std::vector<FileSection>;
 /// The section of that key; null if there is none.
 const FileSection* sectionOf(const FileSections& sections, std::int64_t key);
 
-/// Are all files there that a run goes on with? None goes while it lasts, but by other hands.
-/// @throw Error BadArgument
-inline void requireAll(bool areThere)
-{
-  if (!areThere)
-  {
-    throw badArgument("files of the streamed run are missing in its folder: remove it");
-  }
-}
-
 class WorkFolder
 {
 public:
@@ -54,6 +44,10 @@ public:
   explicit WorkFolder(std::filesystem::path folder);
 
   bool has(const std::string& name) const;
+
+  /// An error if files that a run goes on with are missing. None goes but by other hands.
+  /// @param names of these files, which may have a * in it
+  void requireAll(bool areThere, const std::string& names) const;
 
   /// The names of all files that begin so, by the number that follows.
   std::map<std::int64_t, std::string> numbered(const std::string& prefix) const;

@@ -68,6 +68,15 @@ def test_coordinates_that_do_not_count_are_kept(tmp_path, kind, columns):
 
 
 @pytest.mark.parametrize("kind", ["delaunay", "regular", "hull"])
+@pytest.mark.parametrize("dtype", ["i1", "u2", "i4", "i8", "f2", "?"])
+def test_points_and_weights_keep_their_type(tmp_path, kind, dtype):
+    points = RANDOM.integers(0, 100, (900, 3)).astype(dtype)
+    points = np.unique(points, axis=0)[::-1]
+    weights = points[:, 2].copy() if kind == "regular" else None
+    tried(tmp_path, kind, points, weights, block_points=150)
+
+
+@pytest.mark.parametrize("kind", ["delaunay", "regular", "hull"])
 @pytest.mark.parametrize("pieces", [[], [[]], [[], np.empty((0, 3)), []]], ids=range(3))
 def test_no_point(tmp_path, kind, pieces):
     streamed = stream(pieces, tmp_path, kind=kind)
@@ -195,6 +204,7 @@ WRONG = {
     "half of a pair": (FIRST | {"\ud800": np.arange(10)}, "an attribute's name is text, "),
     "a number as a name": (FIRST | {3: np.arange(10)}, "an attribute's name is text, .*; it is 3"),
     "weights": (FIRST | {"weights": np.arange(10)}, "there are 'weights', which kind='delaunay' does not know: take kind='regular'"),
+    "floats after integers": (FIRST | {"points": POINTS[:10]}, "points: the type is float64, and int64 in the first piece"),
     "other points": (FIRST | {"points": POINTS[:10].astype(np.float32)}, "points: the type is float32, and float64 in the first piece"),
     "two coordinates": (FIRST | {"points": POINTS[:10, :2]}, r"points: a point has the shape \(2,\), and \(3,\) in the first piece"),
     "not of this shape": (FIRST | {"points": POINTS[0]}, "points are an array of n by 3 or n by 2 coordinates, not of shape"),
@@ -208,7 +218,8 @@ WRONG = {
 def test_a_piece_at_fault_is_named(tmp_path, name):
     piece, words = WRONG[name]
     with pytest.raises((InputError, TypeError, ValueError), match=f"^piece 2: {words}"):
-        stream([FIRST, FIRST, piece], tmp_path)
+        first = FIRST | {"points": np.arange(30).reshape(10, 3)} if "integers" in name else FIRST
+        stream([first, first, piece], tmp_path)
     assert not list(tmp_path.glob("*.npz"))
 
 
@@ -238,7 +249,7 @@ def test_files_at_fault(tmp_path):
     ):
         with pytest.raises(kind, match=words) as caught:
             stream([POINTS, tmp_path / name], tmp_path / "out")
-        assert caught.value.__notes__ == ["This is of piece 1 of 2."]
+        assert caught.value.__notes__ == [f"This is of piece 1 of 2, {tmp_path / name}."]
 
 
 @pytest.mark.parametrize("keywords, error, words", [

@@ -273,12 +273,15 @@ def test_a_folder_that_is_a_file(tmp_path, expected):
 def test_a_file_of_work_that_is_damaged(tmp_path, expected):
     with pytest.raises(AbortedError):
         stream(Tiles(), tmp_path, progress=lambda fraction: fraction < 0.3, **CHOICES)
-    damaged = tmp_path / "work" / "run.flipflop"
-    os.truncate(damaged, 30)
-    for _ in range(2):
-        with pytest.raises(OSError, match="if it is damaged, remove its folder") as caught:
-            stream(Tiles(), tmp_path, **CHOICES)
-        assert caught.value.errno == errno.EIO and caught.value.filename == str(damaged)
+    for name in ("form.npz", "run.flipflop"):  # in the order in which they are read
+        damaged = tmp_path / "work" / name
+        whole = damaged.read_bytes()
+        for harmed in (b"", b"damaged", whole[:-9], whole[:30]):
+            damaged.write_bytes(harmed)
+            with pytest.raises(OSError, match="if it is damaged or missing, remove its folder") as caught:
+                stream(Tiles(), tmp_path, **CHOICES)
+            assert caught.value.errno == errno.EIO and caught.value.filename == str(damaged)
+        damaged.write_bytes(whole if name == "form.npz" else harmed)
     for path in [*(tmp_path / "work").iterdir(), tmp_path / "work", *tmp_path.glob("*.npz")]:
         path.rmdir() if path.is_dir() else path.unlink()
     goes_on(tmp_path, expected)

@@ -372,7 +372,7 @@ void testDamaged()
   const fs::path work = stream.Folder.File("a <b>.work");
   fs::resize_file(work / "run.flipflop", 30);
   FF_CHECK(stream.Fails(vtkErrorCode::CannotOpenFileError,
-    "; if it is damaged, remove its folder. Write again to go on."));
+    "; if it is damaged or missing, remove its folder. Write again to go on."));
   FF_CHECK(stream.Fails(vtkErrorCode::CannotOpenFileError, "run.flipflop cannot be"));
   fs::remove_all(work);
   FF_CHECK(stream.Works("damaged"));

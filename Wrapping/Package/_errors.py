@@ -128,7 +128,7 @@ def of_part(name: str) -> Iterator[None]:
 
 def of_file(number: int, path: os.PathLike[str]) -> OSError:
     """The exception for a file that the engine could not read or write."""
-    advice = ": if it is damaged, remove its folder" if number == errno.EIO else ""
+    advice = ": if it is damaged or missing, remove its folder" if number in (errno.EIO, errno.ENOENT) else ""
     return OSError(number, os.strerror(number) + advice, os.fspath(path))
 
 

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arguments import choice_of
-from ._errors import InputError
+from ._errors import InputError, of_file
 from ._results import Facets, NonFinite, Progress, ignores, report_of, settings
 from ._stream_pieces import Form, Pieces
 
@@ -199,14 +199,10 @@ class _Files:
         """Go on with the run of these arguments, whose form is then the pieces'; or begin it."""
         path = self.work / _FORM
         if path.exists():
-            with np.load(path, allow_pickle=False) as file:
-                stored = dict(file)
-            before, names = str(stored.pop("arguments")), stored.pop("names").tolist()
+            before, pieces.form = _stored(path)
             if before != arguments:
                 sentence = f"{self._folder} has a run that has not ended, of other arguments: {before}, not {arguments}"
                 raise InputError(f"{sentence}. Give those, or another folder", "bad_argument")
-            none = {name: stored[f"a{i}"] for i, name in enumerate(names)}
-            pieces.form = Form(json.loads(arguments)["kind"], stored["points"], stored.get("weights"), none)
             return
         for one in self._blocks() + [one for one in self.work.glob("*") if one.name != _PART]:
             sentence = "this is there already, of no run to go on with: take it away, or choose another folder"
@@ -254,6 +250,20 @@ class _Files:
             if isinstance(error, OSError) and error.filename is None:
                 error.filename = str(path)
             raise
+
+
+def _stored(path: Path) -> tuple[str, Form]:
+    """The arguments and the form of a run that has not ended."""
+    try:
+        with np.load(path, allow_pickle=False) as file:
+            stored = dict(file)
+        arguments = str(stored["arguments"])
+        none = {name: stored[f"a{i}"] for i, name in enumerate(stored["names"].tolist())}
+        return arguments, Form(json.loads(arguments)["kind"], stored["points"], stored.get("weights"), none)
+    except Exception as error:  # zipfile's, NumPy's or json's
+        if isinstance(error, OSError) and error.filename is not None:
+            raise
+        raise of_file(errno.EIO, path) from error
 
 
 def write_arrays(path: Path, arrays: dict[str, NDArray[Any]]) -> None:

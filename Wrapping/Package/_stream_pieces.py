@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +30,8 @@ class Piece:
     points: NDArray[Any]
     weights: NDArray[Any] | None
     attributes: dict[str, NDArray[Any]]
+    types: dict[str, np.dtype[Any]] = field(default_factory=dict)
+    """of points and weights that were converted, as of integers, by name"""
 
 
 @dataclass
@@ -43,9 +45,9 @@ class Form:
 
     @classmethod
     def of(cls, kind: str, piece: Piece) -> Form:
-        weights = None if piece.weights is None else piece.weights[:0].copy()
         none = {name: values[:0].copy() for name, values in piece.attributes.items()}
-        return cls(kind, piece.points[:0].copy(), weights, none)
+        weights = None if piece.weights is None else _given("weights", piece.weights, piece)
+        return cls(kind, _given("points", piece.points, piece), weights, none)
 
     @property
     def record(self) -> np.dtype[Any]:
@@ -59,7 +61,8 @@ class Form:
         """Whether a piece that has points is of this form."""
         for name, here, other in (("points", self.points, piece.points), ("weights", self.weights, piece.weights)):
             if here is not None and other is not None:
-                _compare(name, here, other)
+                # Where the first piece has what the engine reads, others may come to that.
+                _compare(name, here, other if here.dtype in (np.float32, np.float64) else _given(name, other, piece))
         missing = [name for name in self.attributes if name not in piece.attributes]
         unknown = [name for name in piece.attributes if name not in self.attributes]
         if missing:
@@ -134,12 +137,14 @@ class Pieces:
         return self.form.stored(piece)
 
     def _read(self, number: int) -> Piece:
+        given = None
         try:
             given = self._pieces[number]
             if isinstance(given, (str, os.PathLike)):
                 given = _loaded(Path(given))
         except Exception as error:
-            error.add_note(f"This is of piece {number} of {len(self._pieces)}.")
+            file = f", {given}" if isinstance(given, (str, os.PathLike)) else ""
+            error.add_note(f"This is of piece {number} of {len(self._pieces)}{file}.")
             raise
         with of_part(f"piece {number}"):
             return self._piece_of(given)
@@ -150,6 +155,8 @@ class Pieces:
         fields = dict(given) if isinstance(given, Mapping) else {"points": given}
         if "points" not in fields:
             raise _wrong(f"there are no 'points' among {', '.join(map(repr, fields)) or 'no arrays'}")
+        types = {name: fields[name].dtype.newbyteorder("=") for name in ("points", "weights")
+                 if type(fields.get(name)) is np.ndarray and fields[name].dtype.kind in "biuf"}  # fmt: skip
         given_weights = fields.pop("weights", None) if self._kind == "regular" else None
         points, weights, left_out = points_and_weights_of(fields.pop("points"), given_weights, self._ignore)
         if self._kind == "hull" and points.shape[1] == 2 and len(points):
@@ -159,7 +166,12 @@ class Pieces:
         if "weights" in fields:
             raise _wrong(f"there are 'weights', which kind={self._kind!r} does not know: take kind='regular'")
         refuse_non_finite(points if self._kind == "hull" else points[:, :2], weights, left_out)
-        return Piece(points, weights, {name: _attribute(name, one, len(points)) for name, one in fields.items()})
+        return Piece(points, weights, {name: _attribute(name, one, len(points)) for name, one in fields.items()}, types)
+
+
+def _given(name: str, values: NDArray[Any], piece: Piece) -> NDArray[Any]:
+    """None of the points or weights, in the type that they were given in."""
+    return values[:0].astype(piece.types.get(name, values.dtype))
 
 
 def _attribute(name: Any, values: Any, count: int) -> NDArray[Any]:

@@ -408,7 +408,7 @@ TEST_F(HarmedFiles, WithAnotherByte)
 TEST_F(HarmedFiles, ThatAreGone)
 {
   this->expectNoticed([](const fs::path& path) { fs::remove(path); },
-    { "cannot read a file", "files of the streamed run are missing in its folder: remove it" });
+    { "cannot read a file", "files of a streamed run are missing: remove their folder" });
 }
 
 TEST_F(StreamedRunFaults, OfSettings)
