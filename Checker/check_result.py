@@ -21,30 +21,14 @@ Ties are free: points on a facet, on an edge or on a cell's power circle may be 
 """
 
 import argparse
-import array
-import ast
-import base64
 import bisect
 import math
-import re
-import struct
 import sys
-import xml.etree.ElementTree
-import zipfile
-import zlib
 from fractions import Fraction
 
+from result_files import Wrong, read_case, require
 
-class Wrong(Exception):
-    """The result is not right: what, and where."""
-
-
-def require(holds, text):
-    if not holds:
-        raise Wrong(text)
-
-
-rows_of = lambda flat, size: list(zip(*[iter(flat)] * size)) if size else []
+flat_of = lambda rows: [x for row in rows or () for x in (row if isinstance(row, tuple) else (row,))]
 sides_of = lambda ring: zip(ring, [*ring[1:], *ring[:1]])
 turned = lambda ring: (*ring[ring.index(min(ring)) :], *ring[: ring.index(min(ring))]) if ring else ()
 minus = lambda a, b: tuple(x - y for x, y in zip(a, b))
@@ -52,140 +36,21 @@ cross = lambda u, v: (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0]
 dot = lambda u, v: u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
 turn = lambda a, b, c: (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
-NPY = {"f8": "d", "f4": "f", "i8": "q", "i4": "i", "i2": "h", "i1": "b", "u8": "Q", "u4": "I", "u2": "H", "u1": "B",
-       "b1": "B"}  # fmt: skip
-VTK = {"Float64": "d", "Float32": "f", "Int64": "q", "Int32": "i", "Int16": "h", "Int8": "b",
-       "UInt64": "Q", "UInt32": "I", "UInt16": "H", "UInt8": "B"}  # fmt: skip
-
-
-def numbers(data, letter, order):
-    """The bytes as numbers of that type."""
-    found = array.array(letter)
-    found.frombytes(data[: len(data) // found.itemsize * found.itemsize])
-    if order == {"little": ">", "big": "<"}[sys.byteorder]:
-        found.byteswap()
-    return found.tolist()
-
-
-def read_npz(path):
-    """The arrays by name: numbers, or rows."""
-    arrays = {}
-    with zipfile.ZipFile(path) as archive:
-        for name in archive.namelist():
-            data = archive.read(name)
-            begin = 10 if data[6] == 1 else 12
-            end = begin + int.from_bytes(data[8:begin], "little")
-            header = ast.literal_eval(data[begin:end].decode("latin1"))
-            kind, shape = header["descr"], header["shape"]
-            flat = numbers(data[end:], NPY[kind[1:]], kind[0])
-            if len(flat) != math.prod(shape) or len(shape) > 2:
-                raise ValueError(f"array {name} is cut short, or no rows")
-            if len(shape) == 2:
-                flat = list(zip(*rows_of(flat, shape[0]))) if header["fortran_order"] else rows_of(flat, shape[1])
-            arrays[name.removesuffix(".npy")] = flat if shape else flat[0]
-    for cells, ends in (("connectivity", "offsets"), ("rings", "ring_offsets")):
-        if ends in arrays:
-            flat, begins = arrays[cells], arrays[ends]
-            arrays["cells" if ends == "offsets" else cells] = [tuple(flat[a:b]) for a, b in zip(begins, begins[1:])]
-    return arrays
-
-
-class VtpReader:
-    """The arrays of a .vtp file of one piece."""
-
-    def __init__(self, path):
-        with open(path, "rb") as file:
-            data = file.read()
-        # Raw appended data is no XML: it is cut out first.
-        self.appended, self.raw = b"", False
-        match = re.search(rb'<AppendedData\s+encoding="(\w+)"\s*>\s*_', data)
-        if match:
-            end = data.rindex(b"</AppendedData>")
-            self.appended, self.raw = data[match.end() : end], match[1] == b"raw"
-            data = data[: match.end()] + data[end:]
-        root = xml.etree.ElementTree.fromstring(data)
-        self.order = ">" if root.get("byte_order") == "BigEndian" else "<"
-        self.header, self.compressor = VTK[root.get("header_type", "UInt32")], root.get("compressor")
-        pieces = root.findall("./PolyData/Piece")
-        if len(pieces) != 1 or self.compressor not in (None, "vtkZLibDataCompressor"):
-            raise ValueError(f"{path} is no .vtp file of one piece, compressed by zlib or not at all")
-        self.piece, self.field = pieces[0], root.find("./PolyData/FieldData")
-
-    def bytes_at(self, data, at, encoded):
-        """Those of the array that begins there, in base64 or not: a header, then the bytes or their blocks."""
-        length = lambda size: (size + 2) // 3 * 4 if encoded else size
-        decode = base64.b64decode if encoded else bytes
-        take = lambda at, size: decode(data[at : at + length(size)])[:size]
-        word = struct.calcsize(self.header)
-        count = numbers(take(at, word), self.header, self.order)[0]
-        if not self.compressor:  # the header and the bytes are one
-            return take(at, word + count)[word:]
-        sizes = numbers(take(at, (3 + count) * word), self.header, self.order)[3:]
-        raw = take(at + length((3 + count) * word), sum(sizes))
-        begins = [sum(sizes[:i]) for i in range(count)]
-        return b"".join(zlib.decompress(raw[begin : begin + size]) for begin, size in zip(begins, sizes))
-
-    def values(self, element):
-        """A DataArray's numbers; rows, where it has components."""
-        if element is None:
-            return None
-        kind, form, text = VTK[element.get("type")], element.get("format"), (element.text or "").split()
-        if form == "ascii":
-            found = array.array(kind, map(float if kind in "df" else int, text)).tolist()
-        else:
-            data, at = ("".join(text).encode(), 0) if text else (self.appended, int(element.get("offset")))
-            found = numbers(self.bytes_at(data, at, bool(text) or not self.raw), kind, self.order)
-        size = int(element.get("NumberOfComponents") or 1)
-        return rows_of(found, size) if size > 1 else found
-
-    def named(self, group, name):
-        parent = self.field if group == "FieldData" else self.piece.find(group)
-        return self.values(None if parent is None else parent.find(f"DataArray[@Name='{name}']"))
-
-    def cells(self):
-        """The corners of all cells, as indices of points."""
-        found = []
-        for group in ("Verts", "Lines", "Polys"):
-            corners, ends = self.named(group, "connectivity") or [], self.named(group, "offsets") or []
-            found += [tuple(corners[a:b]) for a, b in zip([0, *ends], ends)]
-        return found
-
-
-def read_case(given):
-    """All that is checked, as arrays by name."""
-    if not given.result.endswith(".vtp"):
-        return read_npz(given.result)
-    if given.points is None or (given.kind == "diagram") != (given.triangulation is not None):
-        raise ValueError("a .vtp file of a result needs that of the points; a diagram also that of its triangulation")
-    points, shown = VtpReader(given.points), VtpReader(given.triangulation or given.result)
-    case = {"points": points.named("Points", "Points") or [], "box": given.box}
-    case["weights"] = points.named("PointData", given.weights)
-    if given.weights and case["weights"] is None:
-        raise ValueError(f"the points have no array {given.weights}")
-    ids = shown.named("PointData", "vtkOriginalPointIds")
-    case["cells"] = [tuple(ids[i] for i in cell) for cell in shown.cells()]
-    seen = slice(3 if given.kind == "hull" else 2)
-    for id, at in zip(ids or [], shown.named("Points", "Points") or []):
-        right = 0 <= id < len(case["points"]) and at[seen] == case["points"][id][seen]
-        require(right, f"a point of the result, at {at}, is not where the input's point {id} is")
-    for name in ("certificate", "apex"):
-        case[name] = shown.named("FieldData", "FlipFlop" + name.capitalize())
-    diagram = VtpReader(given.result)
-    case["corners"], case["rings"] = [p[:2] for p in diagram.named("Points", "Points")], diagram.cells()
-    return case | {"sites": diagram.named("CellData", "vtkOriginalPointIds")}
-
 
 class Exact:
     """Coordinates and weights as integers: multiples of one power of two."""
 
     def __init__(self, case):
         self.columns = len(case["points"][0]) if case["points"] else 3
-        given = case.get("weights") or [0.0] * len(case["points"])
-        if len(given) != len(case["points"]):
-            raise ValueError("there are not as many weights as points")
+        given = [0.0] * len(case["points"]) if case.get("weights") is None else flat_of(case["weights"])
+        if len(given) != len(case["points"]) or self.columns not in (2, 3):
+            raise ValueError("points have 2 or 3 coordinates, and there are as many weights as points")
+        for name in ("apex", "box", "corners", "edge_alphas", "vertex_alphas"):
+            for x in flat_of(case.get(name)):
+                require(math.isfinite(x) or ("alpha" in name and x == x), f"{name} has {x} among its numbers")
         keep = [all(map(math.isfinite, (*row, w))) for row, w in zip(case["points"], given)]
         rows = [row for row, k in zip(case["points"], keep) if k] + list(case.get("apex") or [])
-        rows += [row if isinstance(row, tuple) else (row,) for row in case.get("box") or []]
+        rows += [flat_of(case.get("box"))]
         bits = lambda x: x.as_integer_ratio()[1].bit_length() - 1
         self.shift = max([0, *(bits(x) for row in rows for x in row)])
         self.shift = max([self.shift, *((bits(w) + 1) // 2 for w, k in zip(given, keep) if k)])
@@ -255,6 +120,10 @@ class Cells:
         self.corners = {id for cell in self.cells for id in cell}
         self.named = case.get("certificate")
         require(self.named is None or len(self.named) == len(exact.points), "a certificate has an entry a point")
+        for id, number in enumerate(self.named or ()):
+            right = -1 <= number < len(self.cells)
+            right = right and (id not in self.corners or (number >= 0 and id in self.cells[number]))
+            require(right, f"the certificate names cell {number} for point {id}")
 
     def each_edge(self):
         """Of each cell each edge (u, v), the cell across, and that cell's corner after the edge; None at the border."""
@@ -275,7 +144,7 @@ class Cells:
         """The cell that holds a point: the certificate's, or found by walking. sign(u, v) is that of in_fan."""
         if self.named is not None:
             number = self.named[id]
-            if not 0 <= number < len(self.cells) or not in_fan(self.cells[number], sign):
+            if number < 0 or not in_fan(self.cells[number], sign):
                 raise Wrong(f"point {id} is not in cell {number}, which the certificate names")
             return number
         while out := next(((v, u) for u, v in sides_of(self.cells[start]) if sign(u, v) < 0), None):
@@ -382,9 +251,10 @@ def check_triangulation(case, constrained=False):
         raise Wrong(f"the points span dimension {dimension}, and the cells are {cells.cells[:3]}")
     for id in exact.ids if dimension == 0 else ():
         require(exact.lift[id] >= exact.lift[cells.cells[0][0]], f"point {id} hides point {cells.cells[0][0]}")
-    hidden = set(exact.ids) - cells.corners
-    odd = hidden ^ set(hidden if case.get("hidden") is None else case["hidden"])
-    require(not odd, f"the hidden points are not those that no cell has: see point {min(odd, default=None)}")
+    hidden = sorted(set(exact.ids) - cells.corners)
+    given = hidden if case.get("hidden") is None else sorted(case["hidden"])
+    odd = min(set(hidden) ^ set(given), default=None)
+    require(given == hidden, f"the hidden points are not those that no cell has, each once: see point {odd}")
     return exact, cells, dimension, fixed
 
 
@@ -431,6 +301,8 @@ def fixed_edges(case, exact, cells):
         raise ValueError("constraints take no weights")
     plane, near, fixed = exact.plane, cells.neighbours(), {}
     at, constraints = {plane[id]: id for id in cells.corners}, case.get("constraints") or []
+    sides = case.get("sides") or 0
+    require(0 <= sides <= len(constraints), f"{sides} of {len(constraints)} constraints are sides")
     for number, ends in enumerate(constraints):
         right = all(0 <= id < len(plane) and plane[id] in at for id in ends)
         require(right, f"constraint {number} ends where no corner is: {ends}")
@@ -440,7 +312,7 @@ def fixed_edges(case, exact, cells):
             on = lambda p: turn(a, p, b) == 0 and (a < p <= b or b <= p < a)
             v = next((v for v in near[u] if on(plane[v])), None)
             require(v is not None, f"constraint {number}, from {ends[0]} to {ends[1]}, is no edge at point {u}")
-            fixed[u, v] = fixed.get((u, v), 0) + (number >= len(constraints) - (case.get("sides") or 0))
+            fixed[u, v] = fixed.get((u, v), 0) + (number >= len(constraints) - sides)
             fixed.setdefault((v, u), 0)
             u = v
     return fixed
@@ -449,7 +321,7 @@ def fixed_edges(case, exact, cells):
 def check_constrained(case):
     """Constraints are edges, all other edges are Delaunay; cells kept are inside of polygons, by the even-odd rule."""
     _, cells, dimension, fixed = check_triangulation(case, constrained=True)
-    if case.get("kept") is None or dimension < 2:
+    if case.get("kept") is None:
         return
     parity, queue = {None: 0}, []
     crossed = lambda u, v: fixed.get((u, v), 0) + fixed.get((v, u), 0)
@@ -464,6 +336,8 @@ def check_constrained(case):
             if other not in parity:
                 parity[other] = (parity[number] + crossed(u, v)) % 2
                 queue.append(other)
+    if dimension < 2:  # on a line nothing is outside
+        parity = dict.fromkeys(range(len(cells.cells)), 1)
     inside, kept = {turned(cells.cells[n]) for n, odd in parity.items() if odd}, [turned(cell) for cell in case["kept"]]
     odd = min(set(kept) ^ inside, default=None)
     require(odd is None and len(kept) == len(inside), f"the cells kept are not those inside: see cell {odd}")
@@ -513,7 +387,9 @@ def check_alpha(case):
         found = [row if isinstance(row, tuple) else (row,) for row in case.get(name) or ()]
         is_same = name not in case or found == sorted(simplex for simplex, _ in right)
         require(is_same, f"the single {name} are not those of the complex")
-        for (simplex, square), a in zip(sorted(right), case.get(least) or ()):
+        alphas = case.get(least) or [] if least in case else None
+        require(alphas is None or len(alphas) == len(right), f"{least} are not as many as the single {name}")
+        for (simplex, square), a in zip(sorted(right), alphas or ()):
             is_least = signed(a) >= square > signed(math.nextafter(a, -math.inf))
             require(is_least, f"{a} is not the least alpha of {simplex}")
 
@@ -552,6 +428,9 @@ def check_diagram(case):
         domain = [(domain[i], domain[j]) for i, j in ((0, 2), (1, 2), (1, 3), (0, 3))]
     turns_right = sum(turn((0, 0), p, q) for p, q in sides_of([exact.scaled(p) for p in domain])) < 0
     wanted = true_cells(exact, cells, domain[::-1] if turns_right else domain)
+    used = {i for ring in case["rings"] for i in ring}
+    require(used == set(range(len(case["corners"]))), "the corners are not those that cells have")
+    require(len(set(case["corners"])) == len(case["corners"]), "two corners are one position")
     rings = [turned([tuple(case["corners"][i]) for i in ring]) for ring in case["rings"]]
     found = dict(zip(case["sites"], rings))
     require(len(found) == len(rings) == len(case["sites"]), "there are not as many sites as cells")
@@ -573,6 +452,7 @@ def check_diagram(case):
 
 
 KINDS = {kind: globals()["check_" + kind] for kind in ("hull", "triangulation", "constrained", "alpha", "diagram")}
+
 
 def main(arguments):
     parser = argparse.ArgumentParser(description="Checks a result exactly: 0 right, 1 wrong, 2 unreadable.")

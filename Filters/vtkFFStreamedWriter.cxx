@@ -73,11 +73,12 @@ void sayOfFile(const std::filesystem::filesystem_error& error, vtkFFFailure& fai
 {
   const bool isFull =
     error.code() == std::errc::no_space_on_device || error.code() == std::errc::file_too_large;
-  const bool mayBeDamaged = error.code() == std::errc::io_error ||
-    error.code() == std::errc::no_such_file_or_directory;
+  const bool mayBeDamaged =
+    error.code() == std::errc::io_error || error.code() == std::errc::no_such_file_or_directory;
   failure.Say("The file " + vtkFFStreamedFiles::ToText(error.path1()) +
       " cannot be written or read: " + error.code().message() +
-      (mayBeDamaged ? "; if it is damaged or missing, remove its folder" : "") + ". Write again to go on.",
+      (mayBeDamaged ? "; if it is damaged or missing, remove its folder" : "") +
+      ". Write again to go on.",
     isFull ? vtkErrorCode::OutOfDiskSpaceError : vtkErrorCode::CannotOpenFileError);
 }
 

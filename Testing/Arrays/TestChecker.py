@@ -5,21 +5,21 @@
 FLIPFLOP_CHECKER_CASES is the number of random cases of each kind: 40, if it is not set.
 """
 
-import importlib.util
 import os
-import shutil
 import subprocess
 import sys
+import zipfile
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from vtkflipflop.arrays import convex_hull, regular_triangulation
 
-PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Checker", "check_result.py")
-specification = importlib.util.spec_from_file_location("check_result", PROGRAM)
-checker = importlib.util.module_from_spec(specification)
-specification.loader.exec_module(checker)
+PROGRAM = str(Path(__file__).parents[2] / "Checker" / "check_result.py")
+sys.path.insert(0, os.path.dirname(PROGRAM))
+
+import check_result as checker  # noqa: E402
 
 CASES = int(os.environ.get("FLIPFLOP_CHECKER_CASES", "40"))
 
@@ -181,6 +181,10 @@ def mutants_of_cells(arrays, random):
     certificate[inner] = random.choice([-1, len(cells)])
     yield "certificate names none", {"certificate": certificate}
     yield "certificate too short", {"certificate": certificate[:-1]}
+    for number in (-1, int(next(n for n, cell in enumerate(cells) if a not in cell))):
+        certificate = np.array(arrays["certificate"])
+        certificate[a] = number
+        yield f"certificate names {number} for a corner", {"certificate": certificate}
 
 
 def mutants(random):
@@ -194,6 +198,8 @@ def mutants(random):
     out[inner] += random.choice([-2, 2], 3)
     yield "hull", "point outside", hull | {"points": out}
     yield "hull", "apex outside", hull | {"apex": hull["apex"] + 2}
+    for value in (np.nan, np.inf):
+        yield "hull", "apex that is not finite", hull | {"apex": np.full_like(hull["apex"], value)}
     yield "hull", "apex on a vertex", hull | {"apex": points[hull["cells"][0, :1]]}
     corner = int(hull["cells"][0, 0])
     less = hull_of(np.delete(points, corner, axis=0))
@@ -210,6 +216,8 @@ def mutants(random):
     hidden = triangulation["hidden"]
     yield "triangulation", "wrong hidden point", triangulation | {
         "hidden": np.append(hidden[1:], triangulation["cells"][0, 0])}  # fmt: skip
+    yield "triangulation", "hidden twice", triangulation | {"hidden": np.append(hidden, hidden[-1])}
+    yield "triangulation", "hidden id out of range", triangulation | {"hidden": np.append(hidden, 50)}
     yield "triangulation", "no hidden point", triangulation | {"hidden": hidden[:0]}
     raised = weights.copy()
     raised[hidden[0]] += 1
@@ -227,6 +235,12 @@ def mutants(random):
     across = [int(np.argmin(points[:, 0])), int(np.argmax(points[:, 0]))]
     yield "constrained", "one more constraint", constrained | {
         "constraints": np.vstack([constrained["constraints"], across])}  # fmt: skip
+    for sides in (-1, len(constrained["constraints"]) + 1):
+        yield "constrained", "more sides than constraints, or fewer than none", constrained | {"sides": sides}
+    chain = {"points": line["points"], "constraints": line["cells"][:1], "cells": line["cells"]}
+    check("constrained", chain | {"kept": line["cells"]})
+    for kept in (line["cells"][1:], line["cells"][[0, *range(len(line["cells"]))]], line["cells"] + 1):
+        yield "constrained", "kept of a line", chain | {"kept": kept}
     yield "constrained", "no constraint", constrained | {"constraints": constrained["constraints"][:0]}
     square = {"points": np.array([[0, 0], [4, 0], [4, 4], [0, 4], [1, 1], [3, 1], [3, 3], [1, 3]], float),
               "constraints": np.array([[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]]),
@@ -237,6 +251,7 @@ def mutants(random):
     check("constrained", square)
     yield "constrained", "hole filled", square | {"kept": whole.simplices}
     yield "constrained", "kept cell dropped", square | {"kept": kept.simplices[1:]}
+    yield "constrained", "kept cell twice", square | {"kept": kept.simplices[[0, *range(len(kept.simplices))]]}
 
     alpha = alpha_of(points[:, :2], weights * 0.01, 0.05)
     within, i = alpha["within"].copy(), int(random.integers(len(alpha["within"])))
@@ -246,6 +261,12 @@ def mutants(random):
     yield "alpha", "dropped edge", alpha | {"edges": alpha["edges"][1:]}
     if len(alpha["vertices"]):
         yield "alpha", "dropped vertex", alpha | {"vertices": alpha["vertices"][1:]}
+    for name in ("within", "edge_alphas", "vertex_alphas", "edges", "vertices"):
+        more = alpha[name][[0, *range(len(alpha[name]))]] if len(alpha[name]) else np.ones(1)
+        yield "alpha", f"{name}: one more", alpha | {name: more}
+        if len(alpha[name]):
+            yield "alpha", f"{name}: one less", alpha | {name: alpha[name][:-1]}
+    yield "alpha", "an alpha that is no number", alpha | {"edge_alphas": alpha["edge_alphas"] * np.nan}
     for step in (-1, 1):
         yield "alpha", "an edge's alpha off by one ulp", alpha | {
             "edge_alphas": np.nextafter(alpha["edge_alphas"], step * np.inf)}  # fmt: skip
@@ -256,6 +277,15 @@ def mutants(random):
     which = int(random.integers(len(moved)))
     moved[which] = np.nextafter(moved[which], random.choice([-1, 1], 2))
     yield "diagram", "corner off by one ulp", diagram | {"corners": moved}
+    corners = len(moved)
+    yield "diagram", "corner of no cell", diagram | {"corners": np.vstack([diagram["corners"], [0.3, 0.3]])}
+    yield "diagram", "corner twice", diagram | {
+        "corners": np.vstack([diagram["corners"], diagram["corners"][rings[0][:1]]]),
+        "rings": [(corners, *rings[0][1:]), *rings[1:]]}  # fmt: skip
+    for i in (rings[0][0] - corners, corners):
+        yield "diagram", "corner out of range", diagram | {"rings": [(i, *rings[0][1:]), *rings[1:]]}
+    yield "diagram", "site twice", diagram | {"sites": diagram["sites"][[0, 0, *range(2, len(rings))]]}
+    yield "diagram", "site out of range", diagram | {"sites": [50, *diagram["sites"][1:]]}
     yield "diagram", "dropped cell", diagram | {"rings": rings[1:], "sites": diagram["sites"][1:]}
     yield "diagram", "sites exchanged", diagram | {"sites": np.roll(diagram["sites"], 1)}
     yield "diagram", "dropped corner", diagram | {"rings": [rings[0][1:], *rings[1:]]}
@@ -277,49 +307,6 @@ def test_mutants_fail():
     assert count >= 200
 
 
-@pytest.fixture(scope="module")
-def compiled(tmp_path_factory):
-    """Checker/CheckResult.cxx."""
-    program = str(tmp_path_factory.mktemp("checker") / "check-result")
-    source = os.path.join(os.path.dirname(PROGRAM), "CheckResult.cxx")
-    compiler = shutil.which("c++")
-    if compiler is None:
-        pytest.skip("there is no compiler")
-    command = [compiler, "-O1", "-std=c++17", source, "-lgmpxx", "-lgmp", "-o", program]
-    done = subprocess.run(command, capture_output=True, text=True)
-    if "gmpxx" in done.stderr:
-        pytest.skip("there is no GMP")
-    assert done.returncode == 0, done.stderr
-    return program
-
-
-def test_the_compiled_program(compiled, tmp_path):
-    path, counts = str(tmp_path / "result.npz"), {0: 0, 1: 0}
-
-    def run(kind, arrays, code):
-        np.savez(path, **{name: np.asarray(a) for name, a in arrays.items() if a is not None})
-        done = subprocess.run([compiled, kind, path], capture_output=True, text=True)
-        assert done.returncode == code, done.stdout
-        counts[code] += 1
-
-    for seed in range(20):
-        random = np.random.default_rng(seed)
-        points = cloud(random, 3).astype(float)
-        arrays = hull_of(points)
-        if len(arrays["apex"]):
-            run("hull", arrays, 0)
-        arrays = triangulation_of(points[:, :2], weights_for(random, points[:, :2]))
-        if np.shape(arrays["cells"])[1:] == (3,):
-            run("triangulation", arrays, 0)
-    for kind, name, arrays in mutants(np.random.default_rng(5)):
-        # It takes triangles with a certificate, and does not read which points are hidden.
-        complete = np.shape(arrays["cells"])[1:] == (3,) and arrays.get("certificate") is not None
-        complete = complete and (kind == "triangulation" or (kind == "hull" and len(arrays.get("apex", ()))))
-        if complete and name not in ("wrong hidden point", "no hidden point", "certificate too short"):
-            run(kind, arrays, 1)
-    assert counts[0] > 10 and counts[1] > 20
-
-
 def test_the_program(tmp_path):
     """Files, exit codes, messages."""
 
@@ -339,6 +326,44 @@ def test_the_program(tmp_path):
     np.savez(path, points=points, cells=hull.simplices[1:])
     code, text = run("hull", path)
     assert code == 1 and "has no facet on its other side" in text
+    for offsets in (polygons.offsets[::-1], polygons.offsets[:-1], polygons.offsets + 1, polygons.offsets[:0]):
+        np.savez(path, points=np.round(points * 4), connectivity=polygons.connectivity, offsets=offsets)
+        code, text = run("hull", path)
+        assert code == 1 and "the offsets of cells" in text
     np.savez(path, points=points)
     assert run("hull", path)[0] == 2
     assert run("hull", str(tmp_path / "none.npz"))[0] == 2
+
+
+def test_types_of_files(tmp_path):
+    """Weights of every type count; what is not read is refused by its name, as is a header that does not fit."""
+    path = str(tmp_path / "case.npz")
+    points = np.array([[0, 0], [4, 0], [4, 4], [0, 4], [2, 2]])
+
+    def read(**arrays):
+        np.savez(path, **arrays)
+        return checker.read_case(type("Given", (), {"result": path}))
+
+    for kind in ("f8", "f4", "f2", "i8", "i4", "i2", "i1", "u8", "u4", "u2", "u1", ">f8", ">i4", ">f2"):
+        for weights in (np.array([20, 20, 20, 20, 0], kind), np.array([[20], [20], [20], [20], [0]], kind)):
+            found = regular_triangulation(points, weights)
+            case = {"points": points.astype(kind), "weights": weights, "hidden": found.hidden}
+            assert found.hidden.tolist() == [4]
+            checker.KINDS["triangulation"](read(**case, cells=found.simplices))
+            with pytest.raises(checker.Wrong, match="point 4 is not hidden|hidden points"):
+                checker.KINDS["triangulation"](
+                    read(**case | {"weights": weights * 0}, cells=found.simplices))  # fmt: skip
+    checker.KINDS["triangulation"](read(points=points, weights=np.ones(5, bool), cells=[
+        (0, 1, 4), (0, 4, 3), (1, 2, 4), (2, 3, 4)]))  # fmt: skip
+    for kind in (np.longdouble, complex, "U3", "M8[s]"):
+        with pytest.raises(ValueError, match="array weights has the type"):
+            read(points=points, weights=np.zeros(5, kind))
+    with pytest.raises(ValueError, match="as many weights"):
+        checker.KINDS["triangulation"](read(points=points, weights=np.zeros(0), cells=points[:0, :1]))
+    for shape in ("(2305843009213693952,)", "(2305843009213693952, 3)", "(-1, -10)", "(5, 0)", "(1, 2, 5)"):
+        header = f"{{'descr': '<i8', 'fortran_order': False, 'shape': {shape}, }}\n".encode()
+        with zipfile.ZipFile(path, "w") as archive:
+            data = b"" if shape == "(5, 0)" else points.tobytes()
+            archive.writestr("points.npy", b"\x93NUMPY\1\0" + len(header).to_bytes(2, "little") + header + data)
+        with pytest.raises(ValueError, match="array points has not the numbers of its shape"):
+            checker.read_case(type("Given", (), {"result": path}))

@@ -19,7 +19,7 @@ namespace flipflop
 {
 
 /// A cell for each point. With it, a check takes a few signs a point, and nothing is searched for:
-/// Checker/check_result.py, Checker/CheckResult.cxx.
+/// Checker/check_result.py.
 struct Certificate
 {
   /// For each point of the input an index of a cell; -1 for a point that is not finite and ignored,

@@ -15,6 +15,7 @@ TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(os.path.ab
 sys.path.insert(0, os.path.join(TOP, "Checker"))
 
 import check_result  # noqa: E402
+from result_files import rows_of  # noqa: E402
 
 
 def main(program, folder):
@@ -25,7 +26,7 @@ def main(program, folder):
             flat = array.array("d")
             with open(os.path.join(made, name + ".f64"), "rb") as file:
                 flat.frombytes(file.read())
-            rows = check_result.rows_of(flat.tolist(), 3)
+            rows = rows_of(flat.tolist(), 3)
             with open(os.path.join(folder, name + ".txt"), encoding="utf-8") as file:
                 kind = file.readline().split()[0]
                 cells = [tuple(map(int, line.split())) for line in list(file)[4:]]
