@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The program that mpiexec starts: runs the test that is named, on all processes, and fails on all
-// of them when any found something wrong.
+// The program that mpiexec starts: runs the tests that are named, or all, on all processes, and
+// fails on all of them when any found something wrong.
 #include "DistributedVersusSerial.h"
 
 #include "vtkMPIController.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <map>
@@ -27,23 +28,36 @@ int main(int argc, char* argv[])
   controller->Initialize(&argc, &argv);
   vtkMultiProcessController::SetGlobalController(controller);
 
-  const auto test = tests.find(argc > 2 ? argv[1] : "");
-  bool well = test != tests.end();
+  const std::vector<std::string> names(argv + std::min(argc, 2), argv + argc);
+  bool well = argc > 1 &&
+    std::all_of(
+      names.begin(), names.end(), [&](const std::string& name) { return tests.count(name) > 0; });
   if (!well)
   {
-    std::cerr << "usage: mpiexec -n <processes> FiltersFlipFlopMpiTests <test> <processes>\n";
+    std::cerr << "usage: mpiexec -n <processes> FiltersFlipFlopMpiTests <processes> [<test>...]\n";
   }
-  else if (controller->GetNumberOfProcesses() != std::atoi(argv[2]))
+  else if (controller->GetNumberOfProcesses() != std::atoi(argv[1]))
   {
     // Another MPI's mpiexec starts the program several times, each alone.
     std::cerr << "there are " << controller->GetNumberOfProcesses() << " process(es), not "
-              << argv[2] << "\n";
+              << argv[1] << "\n";
     well = false;
   }
   else
   {
-    test->second();
-    well = fftest::allWell();
+    for (const auto& test : tests)
+    {
+      if (names.empty() || std::find(names.begin(), names.end(), test.first) != names.end())
+      {
+        if (controller->GetLocalProcessId() == 0)
+        {
+          std::cout << test.first << std::endl;
+        }
+        test.second();
+        well = fftest::allWell() && well;
+        fftest::failures() = 0;
+      }
+    }
   }
   vtkMultiProcessController::SetGlobalController(nullptr);
   controller->Finalize();
