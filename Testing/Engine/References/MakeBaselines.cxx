@@ -61,9 +61,7 @@ int main(int argc, char* argv[])
     for (const Input& input : baselineInputs())
     {
       const Cloud cloud = input.make();
-      const Scale scale = commonScale(cloud);
-      const CgalKernel kernel = scale.bits > 500 ? CgalKernel::Rational : CgalKernel::Lazy;
-      write(argv[1], "hull", input, cgalHull(cloud, kernel));
+      write(argv[1], "hull", input, cgalHull(cloud));
     }
     for (const Input& input : weightedBaselineInputs())
     {

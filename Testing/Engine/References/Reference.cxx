@@ -47,11 +47,14 @@ ReferenceHull bruteForceHull(const Cloud& cloud)
 CgalKernel kernelForHull(const Cloud& cloud)
 {
   const Scale scale = commonScale(cloud);
-  if (scale.bits > 500 || scale.exponent + scale.bits > 500 || scale.exponent < -500)
-  {
-    return CgalKernel::Rational;
-  }
-  return cloud.size() > 6000 && scale.bits < 100 ? CgalKernel::Inexact : CgalKernel::Lazy;
+  const bool extreme =
+    scale.bits > 500 || scale.exponent + scale.bits > 500 || scale.exponent < -500;
+  return extreme ? CgalKernel::Rational : CgalKernel::Filtered;
+}
+
+ReferenceHull cgalHull(const Cloud& cloud)
+{
+  return cgalHull(cloud, kernelForHull(cloud));
 }
 
 void canonicalise(std::vector<Cell>& cells)

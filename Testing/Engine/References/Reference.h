@@ -33,16 +33,16 @@ ReferenceHull bruteForceHull(const Cloud& cloud);
 
 enum class CgalKernel
 {
-  Inexact, ///< exact predicates on doubles: quick, for ordinary ranges
-  Lazy,    ///< exact constructions, interval arithmetic first
-  Rational ///< rationals throughout: slow, for extreme ranges
+  Filtered, ///< interval arithmetic first: quick, for ordinary ranges
+  Rational  ///< rationals throughout: slow, for extreme ranges
 };
 
 /// By CGAL in space, with its facets merged exactly; by an exact monotone chain in a plane.
 /// @throw std::runtime_error when CGAL's surface is not a closed convex polyhedron.
-ReferenceHull cgalHull(const Cloud& cloud, CgalKernel kernel = CgalKernel::Lazy);
+ReferenceHull cgalHull(const Cloud& cloud, CgalKernel kernel);
+ReferenceHull cgalHull(const Cloud& cloud); ///< by the kernel that kernelForHull() chooses
 
-/// Which of CGAL's kernels is right and bearable: the inexact one only where nothing is extreme.
+/// Which of CGAL's kernels is right for the cloud, and quickest.
 CgalKernel kernelForHull(const Cloud& cloud);
 
 /// Turn every cell to start at its lowest id, and sort the cells.

@@ -5,10 +5,8 @@
 #include "Testing/Engine/References/MergedFacets.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 
 namespace flipflop
@@ -34,32 +32,24 @@ std::vector<Triangle> hullTriangles(const Cloud& cloud, const std::vector<int>& 
     ids.emplace(q, p);
     vertices.emplace_back(q[0], q[1], q[2]);
   }
-  CGAL::Surface_mesh<Vertex> mesh;
-  CGAL::convex_hull_3(vertices.begin(), vertices.end(), mesh);
-  std::vector<int> names(mesh.number_of_vertices() + mesh.number_of_removed_vertices(), -1);
-  for (auto v : mesh.vertices())
+  std::vector<Vertex> corners;
+  std::vector<std::array<int, 3>> faces;
+  CGAL::convex_hull_3(vertices.begin(), vertices.end(), corners, faces);
+  std::vector<int> names;
+  for (const Vertex& q : corners)
   {
-    const Vertex& q = mesh.point(v);
     const auto found =
       ids.find({ CGAL::to_double(q.x()), CGAL::to_double(q.y()), CGAL::to_double(q.z()) });
     if (found == ids.end())
     {
       throw std::runtime_error("CGAL's hull has a vertex that is no input point");
     }
-    names[v] = found->second;
+    names.push_back(found->second);
   }
   std::vector<Triangle> triangles;
-  for (auto f : mesh.faces())
+  for (const auto& face : faces)
   {
-    std::vector<int> corners;
-    for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
-    {
-      corners.push_back(names[v]);
-    }
-    for (std::size_t i = 2; i < corners.size(); ++i)
-    {
-      triangles.push_back({ corners[0], corners[i - 1], corners[i] });
-    }
+    triangles.push_back({ names[face[0]], names[face[1]], names[face[2]] });
   }
   return triangles;
 }
@@ -77,11 +67,23 @@ ReferenceHull cgalHull(const Cloud& cloud, CgalKernel kernel)
   }
   ReferenceHull hull;
   hull.dimension = 3;
-  const std::vector<Triangle> triangles = kernel == CgalKernel::Inexact
-    ? hullTriangles<CGAL::Exact_predicates_inexact_constructions_kernel>(cloud, points)
-    : kernel == CgalKernel::Lazy
+  std::vector<Triangle> triangles = kernel == CgalKernel::Filtered
+    // With inexact constructions, hulls of coplanar points are wrong, or do not end.
     ? hullTriangles<CGAL::Exact_predicates_exact_constructions_kernel>(cloud, points)
     : hullTriangles<CGAL::Simple_cartesian<CGAL::Gmpq>>(cloud, points);
+  if (triangles.size() == 4) // whose orientation is not the others' in CGAL 5.5
+  {
+    for (Triangle& t : triangles)
+    {
+      const auto isOutside = [&](int v) { return space.orient(t[0], t[1], t[2], v) > 0; };
+      const auto hasOutside = [&](const Triangle& u)
+      { return std::any_of(u.begin(), u.end(), isOutside); };
+      if (std::any_of(triangles.begin(), triangles.end(), hasOutside))
+      {
+        std::swap(t[1], t[2]);
+      }
+    }
+  }
   for (const Triangle& t : triangles)
   {
     const auto normal = [&](int axis) { return space.normal(axis, t[0], t[1], t[2]); };

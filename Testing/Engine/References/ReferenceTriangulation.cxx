@@ -69,7 +69,7 @@ CgalKernel kernelForWeighted(const Cloud& weighted)
   const LiftScale scale = liftScale(weighted);
   const bool extreme = scale.bits > 300 || scale.heightBits > 600 || scale.exponent < -300 ||
     scale.exponent + scale.bits > 200 || 2 * scale.exponent + scale.heightBits > 400;
-  return extreme ? CgalKernel::Rational : CgalKernel::Inexact;
+  return extreme ? CgalKernel::Rational : CgalKernel::Filtered;
 }
 
 Cell hiddenIds(std::int64_t count, const Cell& ids)

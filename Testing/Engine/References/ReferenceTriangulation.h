@@ -24,12 +24,12 @@ using ReferenceTriangulation = ReferenceHull;
 ReferenceTriangulation bruteForceTriangulation(const Cloud& weighted);
 
 /// By CGAL in the plane, with its facets merged and its ties removed exactly; by an exact monotone
-/// chain on a line. There is nothing to construct: Lazy is Inexact here.
+/// chain on a line.
 /// @throw std::runtime_error when CGAL's triangles are not regular, or hide what they should not.
 ReferenceTriangulation cgalTriangulation(
-  const Cloud& weighted, CgalKernel kernel = CgalKernel::Inexact);
+  const Cloud& weighted, CgalKernel kernel = CgalKernel::Filtered);
 
-/// Which of CGAL's kernels is right and bearable: the inexact one only where nothing is extreme.
+/// Which of CGAL's kernels is right for the cloud, and quickest.
 CgalKernel kernelForWeighted(const Cloud& weighted);
 
 /// All ids below @p count that are not among @p ids, which ascend.
