@@ -62,6 +62,9 @@ std::vector<RoundsVariant> roundsVariants(std::int64_t points, FacetMode facets)
   {
     variants.push_back({ { Order::Backwards }, !odd });
     variants.push_back({ { Order::Shuffled, 6 }, odd });
+  }
+  if (points <= 8 && odd) // a thread is made for each share of each kernel
+  {
     variants.push_back({ { Order::Threads, 1, 2 }, odd });
   }
   return variants;

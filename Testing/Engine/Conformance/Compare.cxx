@@ -226,6 +226,15 @@ int effort(int count)
   return isSanitized() ? (count + 19) / 20 : count;
 }
 
+int randomCases(int count)
+{
+#if defined(FLIPFLOP_NIGHTLY)
+  return effort(count);
+#else
+  return isSanitized() ? effort(count) : (count + 3) / 4;
+#endif
+}
+
 std::vector<int> threadsTried()
 {
   return isSanitized() ? std::vector<int>{ 1, 4 } : std::vector<int>{ 1, 2, 4 };

@@ -70,6 +70,9 @@ bool isSanitized();
 /// Counts are cut under sanitizers.
 int effort(int count);
 
+/// How many random cases are tried: all nightly, a quarter else, and fewer under sanitizers.
+int randomCases(int count);
+
 /// How many points are enough for a thread, and for a part of the plane; afterwards 1, which is
 /// what tests have so that few points take all paths.
 class PointsPerThread

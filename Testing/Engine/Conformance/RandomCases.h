@@ -32,7 +32,7 @@ template <class Make>
 void runRandomCases(const Kind& kind, int cases, const Make& make)
 {
   const std::int64_t first = fromEnvironment("FLIPFLOP_TEST_SEED", 0);
-  const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", effort(cases));
+  const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", randomCases(cases));
   int failures = 0;
   std::vector<int> met(static_cast<std::size_t>(kind.dimension) + 2);
   for (std::int64_t seed = first; seed < first + count && failures < 3; ++seed)

@@ -161,7 +161,7 @@ TEST(PartsAsUsersHaveThem, ThreadsAddNoWork)
   for (const std::string& name : withShuffled(namesInUse(true)))
   {
     SCOPED_TRACE(name);
-    const Cloud cloud = makeCloud(name, true, 60000, 1);
+    const Cloud cloud = makeCloud(name, true, 40000, 1);
     for (const WeightView& weights : { WeightView(), weightsOf(cloud) })
     {
       const auto worked = [&](int threads)

@@ -162,7 +162,7 @@ TEST(HullResults, OfManyCorners)
 TEST(HullResults, InBulk)
 {
   const std::int64_t first = fromEnvironment("FLIPFLOP_TEST_SEED", 0);
-  const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", effort(400));
+  const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", randomCases(400));
   for (std::int64_t seed = first; seed < first + count && !HasFailure(); ++seed)
   {
     Random random(static_cast<std::uint64_t>(seed));

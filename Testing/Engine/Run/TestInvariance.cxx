@@ -30,7 +30,7 @@ std::vector<Input> inputsFor(const Kind& kind)
   std::vector<Input> all = kind.smallInputs();
   for (const Family& family : kind.families())
   {
-    all.push_back(kind.family(family.name, effort(isHull ? 4000 : 1000), 8));
+    all.push_back(kind.family(family.name, effort(isHull ? 2000 : 1000), 8));
   }
   if (isHull)
   {

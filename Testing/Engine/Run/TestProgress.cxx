@@ -41,12 +41,12 @@ TEST_P(ProgressOf, NamesItsStepsAndStopsWhenAsked)
 
 INSTANTIATE_TEST_SUITE_P(ConvexHull, ProgressOf,
   ::testing::ValuesIn(
-    familiesOf(convexHulls, { "cube", "shell0", "shell1e2", "boxFaces" }, { 500000 })),
+    familiesOf(convexHulls, { "cube", "shell0", "shell1e2", "boxFaces" }, { 200000 })),
   Named());
 INSTANTIATE_TEST_SUITE_P(RegularTriangulation, ProgressOf,
   ::testing::ValuesIn(familiesOf(regularTriangulations,
     { "uniformLight", "uniformHeavy", "uniformHiding", "smallIntegers", "lineAlongX" },
-    { 150000 })),
+    { 100000 })),
   Named());
 
 TEST(Progress, SmallRunsStopAtTheirFirstReportIfThereIsOne)
