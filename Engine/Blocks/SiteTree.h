@@ -69,8 +69,9 @@ public:
       });
   }
 
-  /// Emits points above the facet abc: about the furthest, up to @p limit, all if there are fewer.
-  /// If there is none, and if wanted, all points on it.
+  /// Emits points above the facet abc: about the furthest, up to @p limit; one at least, if there
+  /// is one, and fewer than the limit where more would take long. If there is none, and if wanted,
+  /// all points on it.
   /// @param examined so many points may be; becomes what remains of them
   /// @param emit     void (std::uint32_t item)
   /// @return         false, and nothing is emitted, if these were not enough
@@ -81,6 +82,8 @@ public:
   {
     // Among points that rounding alone distinguishes, the furthest are not searched for.
     constexpr std::size_t FewForHeights = 64;
+    // The facet changes with one point, and is queried again; so others are not searched for long.
+    constexpr std::size_t FewForOthers = 1 << 13;
     const std::size_t before = examined;
     using Node = std::pair<double, std::size_t>; // what is furthest first
     std::priority_queue<Node> waiting;
@@ -101,7 +104,8 @@ public:
       const auto [most, node] = waiting.top();
       waiting.pop();
       const bool isEnough = above.size() == limit;
-      if (isEnough && (most <= above.front().first || before - examined >= FewForHeights))
+      if ((isEnough && (most <= above.front().first || before - examined >= FewForHeights)) ||
+        (!above.empty() && before - examined >= FewForOthers))
       {
         break;
       }
