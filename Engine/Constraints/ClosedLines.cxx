@@ -11,6 +11,7 @@
 #include "Support/EngineCall.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <unordered_set>
@@ -28,20 +29,30 @@ public:
   RingFinder(const LineView& given, int dimension, Monitor& monitor)
     : view(given)
     , lines(static_cast<std::size_t>(given.lines))
+    , poll(monitor)
   {
     const PointSource source =
       dimension == 2 ? PointSource(given.points, WeightView()) : PointSource(given.points);
     PositionNumbers inPlane, all;
-    StepPoll poll(monitor);
+    std::uint64_t positions = source.count();
     for (std::uint32_t i = 0; i < source.count(); ++i)
     {
-      poll.step();
+      this->poll.step();
       const Vertex vertex = source.vertex(i);
+      if (!std::all_of(vertex.x, vertex.x + dimension, [](double x) { return std::isfinite(x); }))
+      {
+        if (positions >= NoIndex)
+        {
+          throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(positions));
+        }
+        this->at.push_back(static_cast<std::uint32_t>(positions++)); // which no other point has
+        continue;
+      }
       const std::uint32_t flat = inPlane.add(positionOf(vertex));
       this->at.push_back(
         dimension == 2 ? flat : all.add({ { static_cast<double>(flat), vertex.x[2] } }));
     }
-    this->endsAt.resize(inPlane.positions().size() + all.positions().size());
+    this->endsAt.resize(positions);
   }
 
   Buffer<std::int8_t> find()
@@ -123,6 +134,7 @@ private:
   {
     for (std::size_t end = 0; end < 2 * this->lines; ++end)
     {
+      this->poll.step();
       if (this->isLine(end / 2))
       {
         Ends& ends = this->endsAt[this->positionAt(end)];
@@ -136,6 +148,7 @@ private:
     {
       for (std::size_t end = 0; end < 2 * this->lines; ++end)
       {
+        this->poll.step();
         if (this->isLine(end / 2) && !isMet[end / 2] &&
           (isAnywhere || this->endsAt[this->positionAt(end)].count != 2))
         {
@@ -189,6 +202,7 @@ private:
   {
     for (const std::uint64_t edge : edges)
     {
+      this->poll.step();
       if (!this->outline.insert(edge).second)
       {
         this->outline.erase(edge);
@@ -198,6 +212,7 @@ private:
 
   const LineView view;
   const std::size_t lines;
+  StepPoll poll;
   std::vector<std::uint32_t> at; ///< the position of each point
   std::vector<Ends> endsAt;      ///< by position
   std::unordered_set<std::uint64_t> outline;

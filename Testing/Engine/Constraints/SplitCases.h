@@ -183,7 +183,7 @@ inline std::string faultOfPoints(
       return "a new point is not in order, or at that of another";
     }
   }
-  // Which constraints have a place inside them.
+  // Which constraints have a position inside them.
   std::vector<std::vector<std::int64_t>> at(cloud.size() - given.cloud.size());
   std::vector<std::set<At>> inside(given.segments.size());
   const auto of = chains(result, given.segments.size());
@@ -227,15 +227,16 @@ inline std::string faultOfPoints(
   {
     for (std::size_t t = 0; t < s; ++t)
     {
-      At place;
-      if (crossing(given.cloud, given.segments[s], given.segments[t], place))
+      At position;
+      if (crossing(given.cloud, given.segments[s], given.segments[t], position))
       {
         any = true;
         for (const std::size_t c : { s, t })
         {
-          if (place != placeOf(given.segments[c][0]) && place != placeOf(given.segments[c][1]))
+          if (position != placeOf(given.segments[c][0]) &&
+            position != placeOf(given.segments[c][1]))
           {
-            wanted[c].insert(place);
+            wanted[c].insert(position);
           }
         }
       }
@@ -249,15 +250,15 @@ inline std::string faultOfPoints(
     }
     // It is divided in no other positions but points on it, of which it keeps all.
     std::set<At> on;
-    for (const At& place : taken)
+    for (const At& position : taken)
     {
-      if (isInside(place, placeOf(of[c].front()), placeOf(of[c].back())))
+      if (isInside(position, placeOf(of[c].front()), placeOf(of[c].back())))
       {
-        on.insert(place);
-        bool stays = inside[c].count(place) != 0;
+        on.insert(position);
+        bool stays = inside[c].count(position) != 0;
         for (std::size_t i = 1; !stays && i < of[c].size(); ++i)
         {
-          stays = isInside(place, placeOf(of[c][i - 1]), placeOf(of[c][i]));
+          stays = isInside(position, placeOf(of[c][i - 1]), placeOf(of[c][i]));
         }
         if (!stays)
         {
@@ -265,9 +266,9 @@ inline std::string faultOfPoints(
         }
       }
     }
-    const auto isKnown = [&](const At& place)
-    { return on.count(place) + wanted[c].count(place) > 0; };
-    if (result.rounds <= 1 && !std::all_of(inside[c].begin(), inside[c].end(), isKnown))
+    const auto isExpected = [&](const At& position)
+    { return on.count(position) + wanted[c].count(position) > 0; };
+    if (result.rounds <= 1 && !std::all_of(inside[c].begin(), inside[c].end(), isExpected))
     {
       return "a constraint is divided where nothing is";
     }

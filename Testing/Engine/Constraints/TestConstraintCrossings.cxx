@@ -195,10 +195,10 @@ std::string faultOfMeetings(const Case& given, const SplitConstraints& result)
       on[c].insert(placeOf(of[c][i]));
       for (std::size_t id = 0; i > 0 && id < cloud.size(); ++id)
       {
-        const At place = placeOf(static_cast<std::int64_t>(id));
-        if (isInside(place, placeOf(of[c][i - 1]), placeOf(of[c][i])))
+        const At position = placeOf(static_cast<std::int64_t>(id));
+        if (isInside(position, placeOf(of[c][i - 1]), placeOf(of[c][i])))
         {
-          on[c].insert(place);
+          on[c].insert(position);
         }
       }
     }
@@ -219,7 +219,7 @@ std::string faultOfMeetings(const Case& given, const SplitConstraints& result)
       const bool meet = isOn(a, p, q) || isOn(b, p, q) || isOn(p, a, b) || isOn(q, a, b) ||
         crossing(given.cloud, given.segments[c], given.segments[d], rounded);
       const auto common = std::count_if(
-        on[c].begin(), on[c].end(), [&](const At& place) { return on[d].count(place) != 0; });
+        on[c].begin(), on[c].end(), [&](const At& position) { return on[d].count(position) != 0; });
       if (common != (meet ? 1 : 0))
       {
         return std::to_string(c) + " and " + std::to_string(d) + " meet in " +

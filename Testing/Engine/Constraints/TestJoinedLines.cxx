@@ -363,6 +363,12 @@ TEST(ClosedLines, AreJoinedEndToEnd)
       << testing::PrintToString(known.lines);
   }
   EXPECT_EQ(closedOf({ { a, b, c, a } }, {}, 7), std::vector<int>(1, 0));
+  // What is not finite equals nothing, and costs no more than what is.
+  const double infinity = std::numeric_limits<double>::infinity();
+  const At n = { NaN, NaN }, i = { infinity, 0 };
+  EXPECT_EQ(
+    closedOf({ { n, a, n }, { i, b, c, i }, { i, a }, { a, i } }, {}), std::vector<int>(4, 0));
+  EXPECT_EQ(closedOf({ std::vector<At>(100000, n) }, {}), std::vector<int>(1, 0));
   LineView bad;
   bad.lines = -1;
   expectError([&] { closedLines(bad, 2); }, ErrorCode::BadArgument);
