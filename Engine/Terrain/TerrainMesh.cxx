@@ -182,7 +182,7 @@ private:
   /// While the range still has the heights.
   void chooseTolerance()
   {
-    if (this->toleranceIsFraction)
+    if (this->toleranceIsFraction && std::isfinite(this->limits.tolerance))
     {
       const double low = this->range.low[2];
       const double high = this->range.high[2];
