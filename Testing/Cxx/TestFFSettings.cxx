@@ -187,7 +187,7 @@ std::vector<NumberCase> numberCases()
     { makeFilter<Constrained>, setterOf(&Constrained::SetMaximumEdgeLength),
       getterOf(&Constrained::GetMaximumEdgeLength), 0.5, noLength, "Maximum Edge Length", edges },
     { makeFilter<Terrain>, setterOf(&Terrain::SetTolerance), getterOf(&Terrain::GetTolerance), 0.5,
-      noLength, "Tolerance", "; it must be 0 or more." },
+      { -2.0, -0.5, -infinity, notANumber }, "Tolerance", "; it must be 0 or more, or -1" },
     { makeWeightedFilter<Regular>, setterOf(&Regular::SetWeightFactor),
       getterOf(&Regular::GetWeightFactor), -1.0, notFinite, "Weight Factor", factor },
     { makeWeightedFilter<Filter>, setterOf(&Filter::SetWeightFactor),
