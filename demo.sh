@@ -25,13 +25,15 @@ for file in "$@"; do
 done
 [ ${#inputs[@]} -gt 0 ] || inputs=("$top"/Data/*.vtp)
 
-trap stop_display EXIT
+success=Done
+trap conclude EXIT
 if [ -n "$plugin" ]; then
+  begin "Install"
   "$top/Scripts/install-dependencies.sh" paraview
   "$top/Scripts/install-paraview.sh"
   configure_and_build paraview paraview -DBUILD_TESTING=OFF -DFLIPFLOP_WRAP_PYTHON=OFF "${plugin_options[@]}"
   start_display
-  say "Convex hulls and triangulations in ParaView"
+  begin "Convex hulls and triangulations in ParaView"
   export PV_PLUGIN_PATH
   PV_PLUGIN_PATH=$(plugin_path "$top/build/paraview")
   "$paraview/bin/pvpython" --dr "$top/Scripts/demo/demo.py" --paraview \
@@ -42,10 +44,11 @@ if [ -n "$plugin" ]; then
   exit
 fi
 
+begin "Install"
 "$top/Scripts/install-dependencies.sh" demo
 targets=(vtkFiltersFlipFlopPython)
 configure_and_build default demo -DBUILD_TESTING=OFF
 start_display
-say "Convex hulls and triangulations"
+begin "Convex hulls and triangulations"
 PYTHONPATH="$(python_path "$top/build/demo")" \
   "$python" "$top/Scripts/demo/demo.py" --output "$top/demo-output" "${inputs[@]}"

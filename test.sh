@@ -2,65 +2,84 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# test.sh [quick|paraview|wheel]: install what is missing, check the formatting, build and run the tests: a part of them
-# under the sanitizers (not with quick), then all but the nightly ones (Scripts/nightly.sh). With paraview: those of the
-# ParaView plugin instead; with wheel: build the wheel, and test it in a clean virtual environment with PyVista. The
-# first failure ends it; what is printed last is ctest's or pytest's summary.
+# test.sh [release|sanitizers|paraview|wheel|all]...: install what is missing, build and test. By default release.
+#   release     formatting, the release build with warnings as errors, every test of it that is not nightly
+#               (Scripts/nightly.sh)
+#   sanitizers  a part of these under AddressSanitizer and UndefinedBehaviorSanitizer, and under ThreadSanitizer
+#   paraview    the tests of the ParaView plugin
+#   wheel       the wheel, in clean virtual environments, also with PyVista
+# The first failure ends it. Last come each phase's time, and the verdict: passed, or what failed.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/Scripts/common.sh"
 
-what=${1:-all}
-case "$what" in
-  all | quick | paraview | wheel) ;;
-  *) echo "usage: test.sh [quick|paraview|wheel]" >&2; exit 2 ;;
-esac
+parts=("$@")
+[ ${#parts[@]} -gt 0 ] || parts=(release)
+[ "${parts[*]}" != all ] || parts=(release sanitizers paraview wheel)
+for part in "${parts[@]}"; do
+  case "$part" in
+    release | sanitizers | paraview | wheel) ;;
+    *) echo "usage: test.sh [release|sanitizers|paraview|wheel|all]..." >&2; exit 2 ;;
+  esac
+done
 
-trap stop_display EXIT
+# install PURPOSE...: for Scripts/install-dependencies.sh; then there is a display
+install() {
+  begin "Install: $*"
+  "$top/Scripts/install-dependencies.sh" "$@"
+  [ -n "${DISPLAY:-}" ] || start_display
+}
 
-if [ "$what" = paraview ]; then
-  "$top/Scripts/install-dependencies.sh" paraview
-  "$top/Scripts/install-paraview.sh"
-  start_display
-  build_and_test paraview paraview -DFLIPFLOP_WARNINGS_AS_ERRORS=ON "${plugin_options[@]}"
-  exit
-fi
+test_release() {
+  install test
+  begin "Formatting"
+  "$top/Scripts/check-format.sh"
+  "$top/Scripts/check-words.py"
+  build_and_test ci ci "${device_code[@]}"
+}
 
-if [ "$what" = wheel ]; then
-  "$top/Scripts/install-dependencies.sh" wheel
-  wheels="$top/build/wheel"
-  "$top/Scripts/wheel/build-wheel.sh" "$wheels" --config-settings=cmake.define.FLIPFLOP_WARNINGS_AS_ERRORS=ON
-  wheel=$(echo "$wheels"/repaired/*.whl)
-  # in_clean FOLDER REQUIREMENTS FOLDER_OF_TESTS...: the tests, where nothing but these is installed
-  in_clean() {
-    # No name of a package: the tests run beside it.
-    local folder=$wheels/clean-$1 requirements=$2
-    shift 2
-    "$python" -m venv --clear "$folder"
-    "$folder/bin/pip" install --quiet --upgrade pip
-    # shellcheck disable=SC2086
-    "$folder/bin/pip" install --quiet $requirements
-    (cd "$wheels" && PYTHONDONTWRITEBYTECODE=1 PYTHONPATH= "$folder/bin/python" -m pytest -rs \
-      -p no:cacheprovider --override-ini 'python_files=Test*.py' "$@")
-  }
-  say "Test: the wheel with numpy alone"
-  in_clean numpy "$wheel pytest scipy mypy" "$top/Testing/Arrays" "$top/Testing/Wheel/TestPages.py" \
-    "$top/Testing/Wheel/TestImports.py"
-  say "Test: the wheel with PyVista and the VTK of its classes"
-  start_display
-  in_clean pyvista "$wheel[pyvista,vtk] pytest scipy mypy shapely geopandas rasterio" "$top/Testing/Python" "$top/Testing/Wheel" \
-    "$top/Testing/Arrays/TestForms.py" "$top/Testing/Arrays/TestTyping.py"
-  exit
-fi
-
-"$top/Scripts/install-dependencies.sh" test
-"$top/Scripts/check-format.sh"
-"$top/Scripts/check-words.py"
-[ -n "${DISPLAY:-}" ] || start_display
-
-if [ "$what" = all ]; then
+test_sanitizers() {
+  install test
   fixed_layout
   build_and_test asan asan
   build_and_test tsan tsan
   layout=()
-fi
-build_and_test ci ci "${device_code[@]}"
+}
+
+test_paraview() {
+  install paraview
+  "$top/Scripts/install-paraview.sh"
+  build_and_test paraview paraview -DFLIPFLOP_WARNINGS_AS_ERRORS=ON "${plugin_options[@]}"
+}
+
+# in_clean FOLDER REQUIREMENTS FOLDER_OF_TESTS...: the tests, where nothing but these is installed
+in_clean() {
+  # No name of a package: the tests run beside it.
+  local folder=$wheels/clean-$1 requirements=$2 name=$1
+  shift 2
+  "$python" -m venv --clear "$folder"
+  "$folder/bin/pip" install --quiet --upgrade pip
+  # shellcheck disable=SC2086
+  "$folder/bin/pip" install --quiet $requirements
+  logged "test-wheel-$name" cat env -C "$wheels" PYTHONDONTWRITEBYTECODE=1 PYTHONPATH= \
+    "$folder/bin/python" -m pytest -rs -p no:cacheprovider --override-ini 'python_files=Test*.py' "$@"
+}
+
+test_wheel() {
+  install wheel
+  begin "Build: the wheel"
+  local wheels="$top/build/wheel" wheel
+  logged build-wheel now_and_then \
+    "$top/Scripts/wheel/build-wheel.sh" "$wheels" --config-settings=cmake.define.FLIPFLOP_WARNINGS_AS_ERRORS=ON
+  wheel=$(echo "$wheels"/repaired/*.whl)
+  begin "Test: the wheel with numpy alone"
+  in_clean numpy "$wheel pytest scipy mypy" "$top/Testing/Arrays" "$top/Testing/Wheel/TestPages.py" \
+    "$top/Testing/Wheel/TestImports.py"
+  begin "Test: the wheel with PyVista and the VTK of its classes"
+  in_clean pyvista "$wheel[pyvista,vtk] pytest scipy mypy shapely geopandas rasterio" "$top/Testing/Python" \
+    "$top/Testing/Wheel" "$top/Testing/Arrays/TestForms.py" "$top/Testing/Arrays/TestTyping.py"
+}
+
+trap conclude EXIT
+for part in "${parts[@]}"; do
+  "test_$part"
+done

@@ -2,15 +2,18 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Sourced by the scripts: where things are, what to install, how to build, a display where there is none.
+# Sourced by the scripts: where things are, what to install, how to build, a display where there is none, what is printed.
 
 top="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
-# What was compiled before, in this clone or another, is not compiled again where ccache is installed.
-if command -v ccache >/dev/null; then
+# What was compiled before, in this clone or another, is not compiled again where ccache is installed. (The sloppiness is
+# what precompiled headers take.) Called after the installation.
+use_ccache() {
+  command -v ccache >/dev/null || return 0
   export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
   export CCACHE_BASEDIR="${CCACHE_BASEDIR:-$top}" CCACHE_NOHASHDIR="${CCACHE_NOHASHDIR:-1}"
-fi
+  export CCACHE_SLOPPINESS="${CCACHE_SLOPPINESS:-pch_defines,time_macros}"
+}
 
 # Debian's own Python, whose vtk module belongs to libvtk9; another may come first in PATH.
 python=/usr/bin/python3
@@ -25,6 +28,67 @@ parallel_jobs() {
 
 say() {
   printf '\n== %s\n' "$*"
+}
+
+# begin PHASE: what follows belongs to it, until the next begins.
+phases=()
+begin() {
+  end_phase
+  phase=$1 phase_begin=$SECONDS
+  say "$phase"
+}
+end_phase() {
+  [ -z "${phase:-}" ] || phases+=("$(printf '%6d s  %s' $((SECONDS - phase_begin)) "$phase")")
+  phase=
+}
+
+# logged LOG FILTER COMMAND...: what the command prints goes into build/logs/LOG, and through the filter.
+logged() {
+  local filter=$2
+  log="$top/build/logs/$1"
+  shift 2
+  mkdir -p "$top/build/logs"
+  "$@" 2>&1 | tee "$log" | "$filter"
+}
+# A line at most every ten seconds: of a build.
+now_and_then() {
+  local line next=0
+  while IFS= read -r line; do
+    ((SECONDS < next)) || { printf '%s\n' "$line" && next=$((SECONDS + 10)); }
+  done
+}
+# A line a test: without those that say that it starts.
+without_starts() { grep --line-buffered -vE '^ *Start +[0-9]+: ' || true; }
+
+# What went wrong, of a build's or a test's log: the first errors of a build, or the names of tests that failed.
+errors_of() {
+  if grep -q '^FAILED: ' "$1"; then
+    sed -n '/^FAILED: /,$p' "$1" | grep -v '^\[[0-9]*/[0-9]*\]' | cut -c1-300 | head -n 40
+  elif grep -qE '\*\*\*|^\[  FAILED  \]|^FAIL' "$1"; then
+    grep -E '\*\*\*|^\[  FAILED  \]|^(FAIL|ERROR|FAILED): |: not so: ' "$1" | head -n 40
+  else
+    tail -n 20 "$1"
+  fi
+}
+
+# On the way out of a script: the time of each phase, and last the verdict.
+conclude() {
+  local status=$? failed=${phase:-}
+  stop_display
+  end_phase
+  [ ${#phases[@]} -gt 0 ] || return "$status"
+  say "Times"
+  printf '%s\n' "${phases[@]}"
+  if [ "$status" -eq 0 ]; then
+    say "${success:-Passed}, in $SECONDS s"
+  else
+    say "Failed: $failed"
+    if [ -n "${log:-}" ]; then
+      errors_of "$log"
+      echo "All of it: $log"
+    fi
+  fi
+  exit "$status"
 }
 
 # as_root COMMAND...: with sudo, where we are not root
@@ -57,13 +121,15 @@ targets=(all)
 
 # configure_and_build PRESET FOLDER [OPTION OF CMAKE]...: in build/FOLDER
 configure_and_build() {
-  local preset=$1 build="$top/build/$2"
+  local preset=$1 folder=$2 build="$top/build/$2"
   shift 2
-  say "Build: preset $preset in $build"
+  use_ccache
+  begin "Build: preset $preset in build/$folder"
   mkdir -p "$build"
-  (cd "$top" && cmake --preset "$preset" -B "$build" -DPython3_EXECUTABLE="$python" "$@") \
-    >"$build/configure.log" 2>&1 || { cat "$build/configure.log"; return 1; }
-  cmake --build "$build" --parallel "$(parallel_jobs)" --target "${targets[@]}"
+  logged "configure-$folder" now_and_then \
+    cmake -S "$top" --preset "$preset" -B "$build" -DPython3_EXECUTABLE="$python" "$@"
+  logged "build-$folder" now_and_then \
+    cmake --build "$build" --parallel "$(parallel_jobs)" --target "${targets[@]}"
 }
 
 # What comes before a test's command.
@@ -81,9 +147,10 @@ build_and_test() {
   local preset=$1 folder=$2
   shift 2
   configure_and_build "$preset" "$folder" -DFLIPFLOP_ALL_TESTS=ON "$@"
-  say "Test: preset $preset"
-  "${layout[@]}" ctest --test-dir "$top/build/$folder" --output-on-failure --no-tests=error \
-    --parallel "$(parallel_jobs)"
+  begin "Test: preset $preset in build/$folder"
+  # One more than there are cores: some tests wait more than they compute.
+  logged "test-$folder" without_starts "${layout[@]}" ctest --test-dir "$top/build/$folder" --output-on-failure \
+    --no-tests=error --parallel $(($(parallel_jobs) + 1))
 }
 
 # A display of our own. Debian's VTK draws through X only; -displayfd picks a free number, -noreset

@@ -27,11 +27,11 @@ for part in "${parts[@]}"; do
   esac
 done
 
-trap stop_display EXIT
+trap conclude EXIT
 "$top/Scripts/install-dependencies.sh" test
 [ -n "${DISPLAY:-}" ] || start_display
 for part in "${parts[@]}"; do
-  say "Nightly: $part"
+  begin "Nightly: $part"
   case "$part" in
     sanitizers)
       fixed_layout

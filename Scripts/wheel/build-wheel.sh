@@ -13,7 +13,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
 folder=$(realpath -m "$1")
 shift
 
-say "Build: the wheel"
+use_ccache
 work="$folder/work"
 sdk="$folder/sdk"
 [ -d "$sdk" ] || sdk="$work/sdk"
