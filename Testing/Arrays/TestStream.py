@@ -76,6 +76,34 @@ def test_points_and_weights_keep_their_type(tmp_path, kind, dtype):
     tried(tmp_path, kind, points, weights, block_points=150)
 
 
+WHOLE = GRID.astype(np.int64)[:900]
+LATER = {
+    "masked": np.ma.array(WHOLE),
+    "rows masked": np.ma.array(WHOLE, mask=np.repeat(np.arange(900) % 9 == 4, 3)),
+    "a list": WHOLE.tolist(),
+    "objects": WHOLE.astype(object),
+    "wider": WHOLE.astype(np.uint64),
+    "narrower": WHOLE.astype(np.int8),
+}
+
+
+@pytest.mark.parametrize("kind", ["delaunay", "regular", "hull"])
+@pytest.mark.parametrize("first", [np.int16, np.int64, np.float32, float])
+@pytest.mark.parametrize("name", LATER)
+def test_any_integers_that_the_first_type_holds(tmp_path, name, first, kind):
+    later = LATER[name]
+    points = [WHOLE.astype(first)[:, ::-1] + 20, later]
+    pieces = [{"points": one, "weights": [0] * 900} if kind == "regular" else one for one in points]
+    streamed = stream(pieces, tmp_path, kind=kind, block_points=400)
+    blocks = blocks_of(streamed)
+    assert {block["points"].dtype for block in blocks} == {np.dtype(first)}
+    plain = np.ma.vstack([points[0], np.ma.array(WHOLE, mask=np.ma.getmaskarray(later))])
+    left_out = int(np.ma.getmaskarray(plain)[:, 0].sum())
+    for block in blocks:
+        assert np.ma.is_masked(plain[block["ids"]]) is False and np.array_equal(block["points"], plain[block["ids"]])
+    assert streamed[1:3] == (1800, left_out) and left_out == (100 if name == "rows masked" else 0)
+
+
 @pytest.mark.parametrize("kind", ["delaunay", "regular", "hull"])
 @pytest.mark.parametrize("pieces", [[], [[]], [[], np.empty((0, 3)), []]], ids=range(3))
 def test_no_point(tmp_path, kind, pieces):
@@ -204,6 +232,8 @@ WRONG = {
     "half of a pair": (FIRST | {"\ud800": np.arange(10)}, "an attribute's name is text, "),
     "a number as a name": (FIRST | {3: np.arange(10)}, "an attribute's name is text, .*; it is 3"),
     "weights": (FIRST | {"weights": np.arange(10)}, "there are 'weights', which kind='delaunay' does not know: take kind='regular'"),
+    "too wide for integers": (FIRST | {"points": [[2**31, 0, 0]] * 10}, "points: the type is int64, and int32 in the first "
+                              "piece, which does not hold 2147483648"),
     "floats after integers": (FIRST | {"points": POINTS[:10]}, "points: the type is float64, and int64 in the first piece"),
     "other points": (FIRST | {"points": POINTS[:10].astype(np.float32)}, "points: the type is float32, and float64 in the first piece"),
     "two coordinates": (FIRST | {"points": POINTS[:10, :2]}, r"points: a point has the shape \(2,\), and \(3,\) in the first piece"),
@@ -218,7 +248,8 @@ WRONG = {
 def test_a_piece_at_fault_is_named(tmp_path, name):
     piece, words = WRONG[name]
     with pytest.raises((InputError, TypeError, ValueError), match=f"^piece 2: {words}"):
-        first = FIRST | {"points": np.arange(30).reshape(10, 3)} if "integers" in name else FIRST
+        whole = np.arange(30, dtype=np.int32 if "wide" in name else np.int64).reshape(10, 3)
+        first = FIRST | {"points": whole} if "integers" in name else FIRST
         stream([first, first, piece], tmp_path)
     assert not list(tmp_path.glob("*.npz"))
 

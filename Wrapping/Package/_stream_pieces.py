@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._errors import InputError, of_part
-from ._input import points_and_weights_of, refuse_masked, refuse_non_finite
+from ._input import array_of, points_and_weights_of, refuse_masked, refuse_non_finite
 from ._las import LasPoints, read_las
 
 # What block files have of their own.
@@ -31,7 +31,7 @@ class Piece:
     weights: NDArray[Any] | None
     attributes: dict[str, NDArray[Any]]
     types: dict[str, np.dtype[Any]] = field(default_factory=dict)
-    """of points and weights that were converted, as of integers, by name"""
+    """of points and weights as they were given, by name; none of objects"""
 
 
 @dataclass
@@ -46,8 +46,13 @@ class Form:
     @classmethod
     def of(cls, kind: str, piece: Piece) -> Form:
         none = {name: values[:0].copy() for name, values in piece.attributes.items()}
-        weights = None if piece.weights is None else _given("weights", piece.weights, piece)
-        return cls(kind, _given("points", piece.points, piece), weights, none)
+
+        def typed(name: str, values: NDArray[Any]) -> NDArray[Any]:
+            given = piece.types.get(name, values.dtype)
+            return values[:0].astype(given if given.kind == "f" or _held(given, values, kind).all() else values.dtype)
+
+        weights = None if piece.weights is None else typed("weights", piece.weights)
+        return cls(kind, typed("points", piece.points), weights, none)
 
     @property
     def record(self) -> np.dtype[Any]:
@@ -61,8 +66,7 @@ class Form:
         """Whether a piece that has points is of this form."""
         for name, here, other in (("points", self.points, piece.points), ("weights", self.weights, piece.weights)):
             if here is not None and other is not None:
-                # Where the first piece has what the engine reads, others may come to that.
-                _compare(name, here, other if here.dtype in (np.float32, np.float64) else _given(name, other, piece))
+                self._check_numbers(name, here, other, piece.types.get(name))
         missing = [name for name in self.attributes if name not in piece.attributes]
         unknown = [name for name in piece.attributes if name not in self.attributes]
         if missing:
@@ -71,6 +75,19 @@ class Form:
             raise _wrong(f"there is an attribute {unknown[0]!r}, which the first piece has not")
         for name, one in self.attributes.items():
             _compare(f"attribute {name!r}", one, piece.attributes[name])
+
+    def _check_numbers(
+        self, name: str, first: NDArray[Any], values: NDArray[Any], given: np.dtype[Any] | None
+    ) -> None:
+        """Floats are of the first piece's type, or are converted to it; of other numbers, that type holds each."""
+        if given is not None and given.kind == "f":
+            _compare(name, first, values if first.dtype in (np.float32, np.float64) else values[:0].astype(given))
+            return
+        held = _held(first.dtype, values, self.kind)
+        if not held.all():
+            sentence = f"{name}: the type is {given or values.dtype}, and {first.dtype} in the first piece"
+            raise _wrong(f"{sentence}, which does not hold {values[~held][0]}")
+        _compare(name, first, values[:0].astype(first.dtype))
 
     def stored(self, piece: Piece) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
         """Three numbers a point, as the engine reads them, and the records' bytes."""
@@ -82,7 +99,10 @@ class Form:
             positions[:, 2] = piece.weights
         rows = np.zeros(len(points), self.record)
         for name in rows.dtype.names or ():
-            rows[name] = points[:, 2] if name == "z" else list(piece.attributes.values())[int(name[1:])]
+            if name != "z":
+                rows[name] = list(piece.attributes.values())[int(name[1:])]
+            else:  # no integer is NaN, as those left out are
+                rows[name] = points[:, 2] if rows[name].dtype.kind == "f" else np.nan_to_num(points[:, 2])
         return positions, rows.view(np.uint8) if rows.itemsize else np.empty(0, np.uint8)
 
     def arrays(self, positions: NDArray[np.float64], records: NDArray[np.uint8]) -> dict[str, NDArray[Any]]:
@@ -155,8 +175,11 @@ class Pieces:
         fields = dict(given) if isinstance(given, Mapping) else {"points": given}
         if "points" not in fields:
             raise _wrong(f"there are no 'points' among {', '.join(map(repr, fields)) or 'no arrays'}")
+        for name, what in (("points", "coordinates"), ("weights", "weights")):
+            if name == "points" or (self._kind == "regular" and fields.get(name) is not None):
+                fields[name] = array_of(fields[name], what)
         types = {name: fields[name].dtype.newbyteorder("=") for name in ("points", "weights")
-                 if type(fields.get(name)) is np.ndarray and fields[name].dtype.kind in "biuf"}  # fmt: skip
+                 if isinstance(fields.get(name), np.ndarray) and fields[name].dtype.kind in "biuf"}  # fmt: skip
         given_weights = fields.pop("weights", None) if self._kind == "regular" else None
         points, weights, left_out = points_and_weights_of(fields.pop("points"), given_weights, self._ignore)
         if self._kind == "hull" and points.shape[1] == 2 and len(points):
@@ -169,9 +192,17 @@ class Pieces:
         return Piece(points, weights, {name: _attribute(name, one, len(points)) for name, one in fields.items()}, types)
 
 
-def _given(name: str, values: NDArray[Any], piece: Piece) -> NDArray[Any]:
-    """None of the points or weights, in the type that they were given in."""
-    return values[:0].astype(piece.types.get(name, values.dtype))
+def _held(dtype: np.dtype[Any], values: NDArray[Any], kind: str) -> NDArray[np.bool_]:
+    """Which of a piece's numbers a type holds. NaN counts as held by integers where the engine leaves the point out."""
+    missing = np.isnan(values)
+    if dtype.kind == "f":
+        with np.errstate(over="ignore"):
+            return missing | (values.astype(dtype).astype(values.dtype) == values)
+    if values.ndim == 2 and kind != "hull":
+        missing[:, 2:] &= missing[:, :2].any(axis=1)[:, None]
+    low, end = (0, 2) if dtype.kind == "b" else (int(np.iinfo(dtype).min), int(np.iinfo(dtype).max) + 1)
+    held: NDArray[np.bool_] = (values == np.floor(values)) & (values >= float(low)) & (values < float(end))
+    return missing | held
 
 
 def _attribute(name: Any, values: Any, count: int) -> NDArray[Any]:
