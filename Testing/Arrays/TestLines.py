@@ -167,6 +167,15 @@ DEGENERATE = [
     (mapping("MultiPolygon", [[SQUARE], [[(1, 1), (2, 2)], HOLE], []]), InputError, "lines, part 1, ring 0", 3, 100),
     ([mapping("Polygon", [SQUARE]), LINE[:1, :2], mapping("LineString", [])], InputError, r"\[1\] has 1 point", 2, 100),
     ([], InputError, "lines is empty", 1, None),
+    (
+        mapping("MultiPolygon", [[SQUARE], [[(0, 0), (1, 1), (1, 1), (0, 0)]]]),
+        InputError,
+        r"part 1, ring 0 has 2 point\(s\) without repeated ones: a ring takes 3",
+        1,
+        100,
+    ),
+    (mapping("MultiPolygon", [[SQUARE], [[(1, 1)] * 4, HOLE]]), InputError, "part 1, ring 0 has 1 point", 2, 100),
+    ([mapping("Polygon", [SQUARE]), np.ones((2, 2))], InputError, r"\[1\] has 1 .* ones: a line takes 2", 1, 100),
 ]
 
 

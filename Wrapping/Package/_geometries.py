@@ -90,7 +90,7 @@ class Chain(NamedTuple):
     is_ring: bool
 
 
-class LeftOut:
+class Degenerates:
     """Whether what has too few points is left out, and how many such there were."""
 
     def __init__(self, degenerate: Degenerate) -> None:
@@ -103,15 +103,18 @@ class LeftOut:
             raise error
         self.count += 1
 
-    def has(self, name: str, number: int, count: int, is_ring: bool) -> bool:
-        """Whether a line or a ring of so many points is left out."""
-        if count >= (3 if is_ring else 2):
-            return False
-        if count == 0:
+    def excluded(self, name: str, number: int, points: NDArray[Any], is_ring: bool) -> bool:
+        """Whether a line or a ring is left out. Of points at one position in a row, one counts."""
+        if not len(points):
             self.empty(name, number)
             return True
+        moves = (points[:, :2] != np.roll(points[:, :2], 1, axis=0)).any(axis=1)
+        count = max(int(moves.sum()), 1) if is_ring else 1 + int(moves[1:].sum())
+        if count >= (3 if is_ring else 2):
+            return False
         what = "a ring takes 3 or more, besides the first again" if is_ring else "a line takes 2 or more"
-        sentence = f"{name} has {count} point(s): {what}; degenerate='ignore' leaves it out"
+        repeated = " without repeated ones" if count < len(points) else ""
+        sentence = f"{name} has {count} point(s){repeated}: {what}; degenerate='ignore' leaves it out"
         self.add(InputError(sentence, "bad_argument", number))
         return True
 
@@ -125,20 +128,20 @@ def lines_of(values: Any, closed_are_rings: bool, degenerate: Degenerate = "erro
 
     closed_are_rings: whether lines that end where they begin, alone or end to end, are rings of polygons
     """
-    left_out = LeftOut(degenerate)
+    degenerates = Degenerates(degenerate)
     chains: list[Chain] = []
     tables: list[Floats] = []
-    is_outer_left_out = False
-    for name, number, kind, coordinates in _parts_of(values, left_out):
+    is_outer_excluded = False
+    for name, number, kind, coordinates in _parts_of(values, degenerates):
         is_ring = kind in ("Ring", "Hole")
         points = _points_of_chain(name, number, coordinates, is_ring)
-        if kind == "Hole" and is_outer_left_out:
-            left_out.count += 1  # with the polygon
+        if kind == "Hole" and is_outer_excluded:
+            degenerates.count += 1  # with the polygon
             continue
-        is_left_out = left_out.has(name, number, len(points), is_ring)
+        is_excluded = degenerates.excluded(name, number, points, is_ring)
         if kind == "Ring":
-            is_outer_left_out = is_left_out
-        if is_left_out:
+            is_outer_excluded = is_excluded
+        if is_excluded:
             continue
         if tables and points.shape[1] != tables[0].shape[1]:
             counts = " and ".join(
@@ -150,11 +153,11 @@ def lines_of(values: Any, closed_are_rings: bool, degenerate: Degenerate = "erro
         chains.append(Chain(name, number, np.arange(begin, begin + len(points)), is_ring))
         tables.append(points)
     points = np.concatenate(tables) if tables else np.empty((0, 2))
-    return lines_from(points, chains, closed_are_rings, True, left_out)
+    return lines_from(points, chains, closed_are_rings, True, degenerates)
 
 
 def lines_from(
-    points: Floats, chains: list[Chain], closed_are_rings: bool, are_features: bool, left_out: LeftOut
+    points: Floats, chains: list[Chain], closed_are_rings: bool, are_features: bool, degenerates: Degenerates
 ) -> Lines:
     """The lines and polygons of chains.
 
@@ -189,11 +192,11 @@ def lines_from(
         geometries[chain_of],
         [chain.name for chain in chains],
         chain_of,
-        left_out.count,
+        degenerates.count,
     )
 
 
-def _parts_of(values: Any, left_out: LeftOut) -> Iterator[tuple[str, int, str, Any]]:
+def _parts_of(values: Any, degenerates: Degenerates) -> Iterator[tuple[str, int, str, Any]]:
     """The name, the geometry's number, the kind and the coordinates of each line and ring."""
     waiting: list[tuple[str, int, int, str | None, Any]] = [("lines", 0, -1, None, values)]
     while waiting:
@@ -202,7 +205,7 @@ def _parts_of(values: Any, left_out: LeftOut) -> Iterator[tuple[str, int, str, A
             raise TypeError(f"lines are nested more than {_DEEPEST} levels deep")
         if kind is None:
             if value is None:
-                left_out.add(TypeError(f"{name} has no geometry: it is None; degenerate='ignore' leaves it out"))
+                degenerates.add(TypeError(f"{name} has no geometry: it is None; degenerate='ignore' leaves it out"))
                 continue
             kind, value = _kind_of(name, value)
         if kind == "Feature":
@@ -215,7 +218,7 @@ def _parts_of(values: Any, left_out: LeftOut) -> Iterator[tuple[str, int, str, A
             if not is_array_like(parts):
                 raise TypeError(f"{name} is a {kind} without a list of {key}")
             if not len(parts):
-                left_out.empty(name, max(number, 0))
+                degenerates.empty(name, max(number, 0))
             counts = number < 0 and of is None
             for i in reversed(range(len(parts))):
                 part = "Hole" if of == "Ring" and i > 0 else of

@@ -73,10 +73,10 @@ def points_and_weights_of(points: Any, weights: Any, ignore: bool) -> tuple[np.n
     if len(array) != len(weight_array):
         sentence = f"there are not as many weights as points: {len(array)} points, {len(weight_array)} weights"
         raise InputError(sentence, "weight_count", len(array), len(weight_array))
-    return array, weight_array, either_left_out(array, left_out, weight_array, masked)
+    return array, weight_array, either_excluded(array, left_out, weight_array, masked)
 
 
-def either_left_out(array: np.ndarray, left_out: bool, column: np.ndarray, masked: bool) -> bool:
+def either_excluded(array: np.ndarray, left_out: bool, column: np.ndarray, masked: bool) -> bool:
     """Whether points that are not finite are left out.
 
     An error if points or their column have masked entries, and the other is not finite: the engine would leave that out, too.

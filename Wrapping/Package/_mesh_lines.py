@@ -11,7 +11,7 @@ import pyvista as pv
 from numpy.typing import NDArray
 
 from ._errors import InputError
-from ._geometries import Chain, Degenerate, LeftOut, Lines, lines_from, lines_of
+from ._geometries import Chain, Degenerate, Degenerates, Lines, lines_from, lines_of
 from ._lines import JoinedTriangulation
 from ._mesh_constraints import chains_of
 from ._meshes import Cloud, set_cells, values_of
@@ -24,20 +24,20 @@ def lines_of_call(values: Any, closed_are_rings: bool, degenerate: Degenerate = 
         return lines_of(values, closed_are_rings, degenerate)
     if not values.IsA("vtkPolyData"):
         raise TypeError(f"lines are a PolyData or geometries, not a {values.GetClassName()}")
-    left_out = LeftOut(degenerate)
+    degenerates = Degenerates(degenerate)
     cells = [(ids, False) for ids in chains_of(values.GetLines())]
     cells += [(ids[:-1] if len(ids) > 1 and ids[0] == ids[-1] else ids, True) for ids in chains_of(values.GetPolys())]
     if not cells:
-        left_out.add(InputError("lines is empty: it has no line and no polygon", "bad_argument"))
+        degenerates.add(InputError("lines is empty: it has no line and no polygon", "bad_argument"))
     points = np.empty((0, 3)) if values.GetPoints() is None else values_of(values.GetPoints().GetData()).reshape(-1, 3)
     first = values.GetNumberOfVerts()
     _require_points(points, [ids for ids, _ in cells], first)
     chains = [
         Chain(f"cell {number} of lines", number, ids, is_ring)
         for number, (ids, is_ring) in enumerate(cells, first)
-        if not left_out.has(f"cell {number} of lines", number, len(ids), is_ring)
+        if not degenerates.excluded(f"cell {number} of lines", number, points[ids], is_ring)
     ]
-    return lines_from(points.astype(np.float64), chains, closed_are_rings, False, left_out)
+    return lines_from(points.astype(np.float64), chains, closed_are_rings, False, degenerates)
 
 
 def breaklines_of_call(

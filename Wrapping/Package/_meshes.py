@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from ._arguments import Weights
 from ._errors import FlipFlopError, InputError
-from ._input import column_of, either_left_out, is_array_like, points_of, refuse_geometry, rows_of, weights_of
+from ._input import column_of, either_excluded, is_array_like, points_of, refuse_geometry, rows_of, weights_of
 from ._results import Ids
 
 _OBJECT = next(kind for kind in pv.PolyData.__mro__ if kind.__name__ == "vtkObjectBase")
@@ -277,7 +277,7 @@ class Cloud:
             )
         kept = weight_array if self._kept is None else weight_array[self._kept]
         try:
-            self.left_out = either_left_out(self.array, self.left_out, kept, masked)
+            self.left_out = either_excluded(self.array, self.left_out, kept, masked)
             return weights.computed(kept)
         except InputError as error:
             raise self._translated(error, self._kept) from None

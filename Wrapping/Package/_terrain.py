@@ -17,7 +17,7 @@ from ._arguments import float_of
 from ._constraints import Chains, Constraints
 from ._errors import InputError
 from ._geometries import Degenerate, Lines, lines_of
-from ._input import column_of, either_left_out, points_of
+from ._input import column_of, either_excluded, points_of
 from ._lines import JoinedTriangulation, joined_triangulation
 from ._results import (
     Floats,
@@ -122,7 +122,8 @@ def terrain_mesh(
     heights : n numbers, optional
         instead of z
     tolerance : float
-        the greatest vertical distance, 0 or more, in the unit of heights
+        the greatest vertical distance, 0 or more, in the unit of heights. By default 0, where that of
+        vtkFFTerrainMeshFilter is a hundredth of the heights' range.
     max_vertices : int, optional
         no point is inserted once there are so many. By default there is no limit.
     constraints : m by 2 ids, or a sequence of polylines, optional
@@ -154,7 +155,7 @@ def terrain_mesh(
         if len(levels) != len(array):
             text = f"there are {len(levels)} heights for {len(array)} points"
             raise InputError(text, "bad_argument", len(array), len(levels))
-        left_out = either_left_out(array, left_out, levels, masked)
+        left_out = either_excluded(array, left_out, levels, masked)
     elif array.shape[1] == 2:
         raise ValueError("points of two coordinates take heights: pass heights, or points of three coordinates")
     with report_of(progress) as report:
