@@ -176,11 +176,16 @@ def test_closed_lines_are_borders():
         found = constrained_triangulation(lines, lines, closed_lines_as_borders=True)
         assert found.area == pytest.approx(area, rel=1e-6)
     assert constrained_triangulation(hull, sides, closed_lines_as_borders=True, polygon_rule="direction").area == 10
-    few = pv.PolyData(corners, lines=[1, 0, 2, 0, 2], faces=[2, 0, 1])
+    few = pv.PolyData(corners, lines=[1, 0, 2, 0, 2, 2, 1, 1], faces=[2, 0, 1, 4, 0, 1, 1, 0])
     with pytest.raises(InputError, match=r"cell 0 of lines has 1 point\(s\): a line takes 2 or more; degenerate='ignore'"):
         constrained_triangulation(hull, few)
     both = constrained_triangulation(hull, few, degenerate="ignore")
-    assert both.field_data["DegenerateLines"].tolist() == [2] and both.area == 16
+    assert both.field_data["DegenerateLines"].tolist() == [4] and both.area == 16
+    mesh = terrain_mesh(hull, lines=few, degenerate="ignore")
+    assert mesh.field_data["DegenerateLines"].tolist() == [4]
+    repeated = pv.PolyData(corners, faces=[4, 0, 1, 1, 0])
+    with pytest.raises(InputError, match=r"cell 0 of lines has 2 point\(s\) without repeated ones: a ring takes 3"):
+        constrained_triangulation(hull, repeated)
 
 
 def test_lines_that_cannot_be_used():

@@ -466,7 +466,8 @@ def terrain_mesh(
     heights : str or n numbers, optional
         a point array's name, or numbers if mesh is no composite. By default z.
     tolerance : float
-        the greatest vertical distance, 0 or more, in the unit of heights
+        the greatest vertical distance, 0 or more, in the unit of heights. By default 0, where that of
+        vtkFFTerrainMeshFilter is a hundredth of the heights' range.
     max_vertices : int, optional
         no point is inserted once there are so many. By default there is no limit.
     constraints : PolyData, or sequences of ids, optional
@@ -478,7 +479,7 @@ def terrain_mesh(
     threads, non_finite, skip_ghost_points, pass_point_data, progress
         as for regular_triangulation(); a height that is not finite is like such a coordinate
     degenerate : {"error", "ignore"}
-        as constrained_triangulation() has it for lines
+        as constrained_triangulation() has it for lines; the mesh's field data has "DegenerateLines" then, too
 
     Returns
     -------
@@ -506,6 +507,8 @@ def terrain_mesh(
         return run.terrain(block, levels, given, own, limits, report, both)
 
     outputs = each_block(data, meshed, 2 if both else 1, progress)
+    if own is not None and degenerate == "ignore":
+        outputs[0].field_data["DegenerateLines"] = [own[1].degenerate]
     return (outputs[0], outputs[1]) if both else outputs[0]
 
 
