@@ -119,7 +119,9 @@ def test_an_array_for_each_set():
         (InputError, "set 1: .* first at point 0, 9 such", [np.ma.masked_less(POINTS[:9], 0.2), POINTS[:9] * np.nan], {}),
         (TypeError, "set 1: coordinates are real numbers", [POINTS, [["a", "b"]]], {}),
         (ValueError, "weights are a sequence of arrays, one for each of 2 sets", [POINTS[:5]] * 2, {"weights": WEIGHTS[:10]}),
-        (InputError, "set 1: there are not as many weights as points: 5 points, 4", [POINTS[:5]] * 2, {"weights": [WEIGHTS[:5], WEIGHTS[:4]]}),
+        (InputError, "set 1: there are not as many weights as points: 5 points, 4", [POINTS[:5]] * 2,
+         {"weights": [WEIGHTS[:5], WEIGHTS[:4]]}),
+        (InputError, "set 1: .* points: 5 points, and weights are None", [POINTS[:5]] * 2, {"weights": [WEIGHTS[:5], None]}),
     ],
 )  # fmt: skip
 def test_sets_at_fault(error, words, sets, keywords):

@@ -189,6 +189,9 @@ def _sets_of(
     for i, both in enumerate(zip(points, [None] * len(points) if weights is None else weights)):
         with of_part(f"set {i}"):
             parts.append(points_and_weights_of(*both, ignore))
+            if weights is not None and parts[-1][1] is None and len(parts[-1][0]):
+                sentence = f"there are not as many weights as points: {len(parts[-1][0])} points, and weights are None"
+                raise InputError(sentence, "weight_count", len(parts[-1][0]), 0)
     left_out = any(part[2] for part in parts)
     if left_out and not ignore:
         for i, (one, own, has_masked) in enumerate(parts):
