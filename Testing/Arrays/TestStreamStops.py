@@ -270,9 +270,12 @@ def test_a_folder_that_is_a_file(tmp_path, expected):
     goes_on(tmp_path / "other", expected)
 
 
-def test_a_file_of_work_that_is_damaged(tmp_path, expected):
+def test_a_file_of_work_that_is_damaged(tmp_path, expected, monkeypatch):
     with pytest.raises(AbortedError):
         stream(Tiles(), tmp_path, progress=lambda fraction: fraction < 0.3, **CHOICES)
+    with monkeypatch.context() as context, pytest.raises(MemoryError):  # which is no damage
+        context.setattr(np.lib.format, "read_array", lambda *_, **__: (_ for _ in ()).throw(MemoryError))
+        stream(Tiles(), tmp_path, **CHOICES)
     for name in ("form.npz", "run.flipflop"):  # in the order in which they are read
         damaged = tmp_path / "work" / name
         whole = damaged.read_bytes()

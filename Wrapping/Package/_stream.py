@@ -261,7 +261,7 @@ def _stored(path: Path) -> tuple[str, Form]:
         none = {name: stored[f"a{i}"] for i, name in enumerate(stored["names"].tolist())}
         return arguments, Form(json.loads(arguments)["kind"], stored["points"], stored.get("weights"), none)
     except Exception as error:  # zipfile's, NumPy's or json's
-        if isinstance(error, OSError) and error.filename is not None:
+        if isinstance(error, MemoryError) or (isinstance(error, OSError) and error.filename is not None):
             raise
         raise of_file(errno.EIO, path) from error
 
