@@ -299,8 +299,9 @@ class RegularTriangulation(Cells):
         shape : two integers
             rows and columns, which divide the bounds
         bounds : 4 numbers, or 2 by 2
-            the outer corners of the corner pixels, as a box that power_diagram() takes; by default the box of the points
-            that appear
+            the outer corners of the corner pixels, in VTK's order (x0, x1, y0, y1), or ((x0, y0), (x1, y1)); by default
+            the box of the points that appear. Of shapely's order, as power_diagram(bounds=) takes it, pass
+            numpy.reshape(bounds, (2, 2)).
         method, fill_value
             as for interpolate()
         dtype : float32 or float64
