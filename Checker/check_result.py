@@ -296,13 +296,16 @@ def check_chain(exact, cells):
 
 
 def fixed_edges(case, exact, cells):
-    """The edges that constraints run along, in both directions; of each how many sides of polygons run that way."""
+    """The edges that constraints run along, in both directions; of each the features that it is a side of, oddly."""
     if any(case.get("weights") or ()):
         raise ValueError("constraints take no weights")
     plane, near, fixed = exact.plane, cells.neighbours(), {}
     at, constraints = {plane[id]: id for id in cells.corners}, case.get("constraints") or []
     sides = case.get("sides") or 0
     require(0 <= sides <= len(constraints), f"{sides} of {len(constraints)} constraints are sides")
+    features = [0] * sides if case.get("features") is None else case["features"]
+    require(len(features) == sides, f"there are {len(features)} features of {sides} sides")
+    of = [set()] * (len(constraints) - sides) + [{feature} for feature in features]
     for number, ends in enumerate(constraints):
         right = all(0 <= id < len(plane) and plane[id] in at for id in ends)
         require(right, f"constraint {number} ends where no corner is: {ends}")
@@ -312,32 +315,34 @@ def fixed_edges(case, exact, cells):
             on = lambda p: turn(a, p, b) == 0 and (a < p <= b or b <= p < a)
             v = next((v for v in near[u] if on(plane[v])), None)
             require(v is not None, f"constraint {number}, from {ends[0]} to {ends[1]}, is no edge at point {u}")
-            fixed[u, v] = fixed.get((u, v), 0) + (number >= len(constraints) - sides)
-            fixed.setdefault((v, u), 0)
+            fixed[u, v] = fixed.get((u, v), set()) ^ of[number]
+            fixed.setdefault((v, u), set())
             u = v
     return fixed
 
 
 def check_constrained(case):
-    """Constraints are edges, all other edges are Delaunay; cells kept are inside of polygons, by the even-odd rule."""
+    """Constraints are edges, all others Delaunay; cells kept are inside any feature, of each by the even-odd rule."""
     _, cells, dimension, fixed = check_triangulation(case, constrained=True)
     if case.get("kept") is None:
         return
-    parity, queue = {None: 0}, []
-    crossed = lambda u, v: fixed.get((u, v), 0) + fixed.get((v, u), 0)
+    parity, queue = {None: set()}, []  # of each cell the features that it is inside of
+    crossed = lambda u, v: fixed.get((u, v), set()) ^ fixed.get((v, u), set())
     for number, u, v, other, _ in cells.each_edge():
         if other is None:
-            parity[number] = crossed(u, v) % 2
+            parity[number] = crossed(u, v)
             queue.append(number)
     while queue:
         number = queue.pop()
         for u, v in sides_of(cells.cells[number]):
             other = cells.across.get((v, u))
+            beyond = parity[number] ^ crossed(u, v)
             if other not in parity:
-                parity[other] = (parity[number] + crossed(u, v)) % 2
+                parity[other] = beyond
                 queue.append(other)
+            require(parity[other] == beyond, f"the sides of a feature are not closed: see the edge from {u} to {v}")
     if dimension < 2:  # on a line nothing is outside
-        parity = dict.fromkeys(range(len(cells.cells)), 1)
+        parity = dict.fromkeys(range(len(cells.cells)), {0})
     inside, kept = {turned(cells.cells[n]) for n, odd in parity.items() if odd}, [turned(cell) for cell in case["kept"]]
     odd = min(set(kept) ^ inside, default=None)
     require(odd is None and len(kept) == len(inside), f"the cells kept are not those inside: see cell {odd}")

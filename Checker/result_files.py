@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The files that check_result.py reads: arrays of .npz and .vtp files, by Python alone, and whether they fit together."""
+"""The files that check_result.py reads: arrays of .npz and .vtp files, by Python alone; and whether they agree."""
 
 import ast
 import base64

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from vtkflipflop.arrays import convex_hull, regular_triangulation
+from vtkflipflop.arrays import constrained_triangulation, convex_hull, regular_triangulation
 
 PROGRAM = str(Path(__file__).parents[2] / "Checker" / "check_result.py")
 sys.path.insert(0, os.path.dirname(PROGRAM))
@@ -251,6 +251,16 @@ def mutants(random):
     check("constrained", square)
     yield "constrained", "hole filled", square | {"kept": whole.simplices}
     yield "constrained", "kept cell dropped", square | {"kept": kept.simplices[1:]}
+    both = constrained_triangulation([], [
+        {"type": "Polygon", "coordinates": [[(t, t), (t + 4, t), (t + 4, t + 4), (t, t + 4), (t, t)]]} for t in (0, 2)
+    ])  # fmt: skip
+    whole = regular_triangulation(both.points, constraints=both.constraints)
+    union = {"points": both.points, "constraints": both.constraints, "cells": whole.simplices, "kept": both.simplices,
+             "sides": len(both.constraints), "features": both.geometry_of}  # fmt: skip
+    check("constrained", union)
+    yield "constrained", "one feature in place of two", union | {"features": None}
+    yield "constrained", "the other feature", union | {"features": np.roll(both.geometry_of, 1)}
+    yield "constrained", "a feature of no side", union | {"features": [*both.geometry_of.tolist(), 0]}
     yield "constrained", "kept cell twice", square | {"kept": kept.simplices[[0, *range(len(kept.simplices))]]}
 
     alpha = alpha_of(points[:, :2], weights * 0.01, 0.05)
