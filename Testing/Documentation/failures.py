@@ -309,6 +309,9 @@ FAILURES = {
     "the kernel point is outside": lambda: surface(
         FACETS, KernelPoint=(9, 9, 9), UseKernelPoint=True
     ),
+    "the kernel point is on a triangle": lambda: surface(
+        FACETS, KernelPoint=(1, 1, 0), UseKernelPoint=True
+    ),
     "the kernel point is not finite": lambda: surface(
         FACETS, KernelPoint=(NAN, 0, 0), UseKernelPoint=True
     ),
