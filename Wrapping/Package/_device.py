@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Arrays in the memory of a CUDA device: CuPy's, PyTorch's, JAX's, Numba's.
 
-The engine reads some of its input on the host, whoever does the work. So a host copy is made, which remembers the memory
-that it is of; the CUDA engine reads that in place.
+The engine reads some of its input on the host, whoever does the work. So a host copy is made, which remembers the
+memory that it is of; the CUDA engine reads that in place.
 """
 
 from __future__ import annotations

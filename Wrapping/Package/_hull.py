@@ -166,7 +166,7 @@ class ConvexHull(Cells):
 
     @cached_property
     def area(self) -> float:
-        """Of the surface; of points in the plane, the perimeter. If points span a dimension less, of the facet, once."""
+        """Of the surface; of points in the plane, the perimeter. If points span one dimension less, the facet once."""
         if self._planar:
             steps = self._sides[1]
             return float(np.hypot(steps[:, 0], steps[:, 1]).sum())
@@ -198,7 +198,8 @@ class ConvexHull(Cells):
         -------
         array of shape (...); of one point, of shape (ndim,), its answer
         """
-        return results_of(self._queries.contains, points, (self.ndim,), threads, non_finite, progress) >= 0  # type: ignore
+        sides = results_of(self._queries.contains, points, (self.ndim,), threads, non_finite, progress)
+        return sides >= 0  # type: ignore
 
     def side(
         self, points: ArrayLike, *, threads: int = 0, non_finite: NonFinite = "error", progress: Progress = None
@@ -216,9 +217,9 @@ class ConvexHull(Cells):
     ) -> Lengths:
         """The distance of each point from the surface: negative inside, 0 on it, positive outside.
 
-        The sign is exact. The distance is rounded, to 1e-14 of that to the farthest vertex. Infinity: the hull is empty,
-        or no double is so large. NaN: the point is not finite and ignored. Parameters and the result's form are those
-        of contains().
+        The sign is exact. The distance is rounded, to 1e-14 of that to the farthest vertex. Infinity: the hull is
+        empty, or no double is so large. NaN: the point is not finite and ignored. Parameters and the result's form are
+        those of contains().
         """
         found: Lengths = results_of(self._queries.distance, points, (self.ndim,), threads, non_finite, progress)
         return found

@@ -79,7 +79,7 @@ def points_and_weights_of(points: Any, weights: Any, ignore: bool) -> tuple[np.n
 def either_excluded(array: np.ndarray, left_out: bool, column: np.ndarray, masked: bool) -> bool:
     """Whether points that are not finite are left out.
 
-    An error if points or their column have masked entries, and the other is not finite: the engine would leave that out, too.
+    An error if points or their column have masked entries, and the other is not finite: the engine excludes that, too.
     """
     if left_out != masked:
         refuse_non_finite(array[:, :2] if masked else column)
@@ -118,7 +118,7 @@ def whole_weights_of(values: Any) -> np.ndarray:
 
 
 def values_of(values: Any, count: int) -> np.ndarray:
-    """A number or an array of numbers for each of so many points, as doubles: rounded, and NaN where they are masked."""
+    """A number or an array of numbers for each of so many points, as doubles: rounded, NaN where they are masked."""
     array = _as_array(_of_host(values, "values"), "values")
     if array.ndim == 0 or len(array) != count:
         raise ValueError(f"values are {count} numbers or rows, not an array of shape {array.shape}")

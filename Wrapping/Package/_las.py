@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Points of LAS files, the format of LiDAR surveys (ASPRS, "LAS Specification 1.4 - R15", 2019), without compression."""
+"""Points of LAS files, the format of LiDAR surveys (ASPRS, "LAS Specification 1.4 - R15", 2019), uncompressed."""
 
 from __future__ import annotations
 
@@ -38,8 +38,8 @@ class LasPoints(NamedTuple):
     points: Floats
     """x, y, z of n points: n by 3"""
     attributes: dict[str, NDArray[Any]]
-    """intensity, return_number, classification (2: ground), scan_angle, user_data, point_source_id, and, if the file has
-    them, gps_time, colors (n by 3) and near_infrared, of each point, as the file has them"""
+    """intensity, return_number, classification (2: ground), scan_angle, user_data, point_source_id, and, if the file
+    has them, gps_time, colors (n by 3) and near_infrared, of each point, as the file has them"""
 
 
 def read_las(path: str | os.PathLike[str]) -> LasPoints:

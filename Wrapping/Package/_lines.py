@@ -102,7 +102,7 @@ def constrained_triangulation(
     there, and a crossing that of the first line that crosses, linear between its points. Lines come before polygons, in
     the order in which they are given. No other height is lost: see `height_range` and `differing` of the result. Lines
     without heights take them from the points: an added point has what
-    `regular_triangulation(points).interpolate(points[:, 2], ...)` gives: NaN, and a warning, outside of the points' hull.
+    `regular_triangulation(points).interpolate(points[:, 2], ...)` gives: NaN, and a warning, outside the points' hull.
 
     Parameters
     ----------

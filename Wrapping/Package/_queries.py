@@ -44,7 +44,7 @@ def results_of(
 ) -> Any:
     """What query() returns for each position: of shape (..., ndim) an array of shape (...), of one position a number.
 
-    columns: how many coordinates positions may have. before: arguments of query() before the positions. what: their name
+    columns: how many coordinates positions may have. before: arguments of query() before these. what: their name
     """
     ignore = ignores(non_finite)
     rows, shape = _rows_of(positions, columns, what)

@@ -62,8 +62,8 @@ class Streamed(NamedTuple):
     area: float
     """of a hull's facets"""
     statistics: dict[str, float]
-    """points_received: how many points blocks had from each other; bytes_written and bytes_read: of files of work, by this
-    call"""
+    """points_received: how many points blocks had from each other; bytes_written and bytes_read: of files of work, by
+    this call"""
 
 
 def stream(

@@ -88,7 +88,7 @@ class RegularTriangulation(Cells):
 
     @cached_property
     def certificate(self) -> Ids:
-        """For each point the row of `simplices` that holds it, of several the lowest; it hides the point if that is hidden.
+        """For each point the row of `simplices` that holds it, of several the lowest; it hides a point that is hidden.
 
         With it, a program that shares nothing with the engine checks the triangulation in linear time:
         Checker/check_result.py. -1: the point is not finite and ignored, or only cells that are left out hold it.

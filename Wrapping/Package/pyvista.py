@@ -268,8 +268,8 @@ def regular_triangulation(
         by which weights, or radii, are multiplied. Products and squares are rounded to double; with 1, weights are not.
     constraints : PolyData, or sequences of ids, optional
         lines and polygons, by the ids of the mesh's points, that are to be edges: the constrained Delaunay
-        triangulation. If it has points, they are the mesh's at these ids (x and y alone in the xy plane). Or m by 2 ids,
-        or polylines of ids. With constraints there are no weights, and the mesh is no composite.
+        triangulation. If it has points, they are the mesh's at these ids (x and y alone in the xy plane). Or m by 2
+        ids, or polylines of ids. With constraints there are no weights, and the mesh is no composite.
     polygon_rule : {"even-odd", "direction"}
         what is inside the polygons of constraints; cells outside are left out, and a warning says so if that is all.
         By nesting: a polygon keeps its inside, one in it is a hole, whatever their directions. Or by direction, as VTK
