@@ -116,7 +116,8 @@ def markdown(lines, metrics):
     cases = {}
     for line in lines:
         cases.setdefault((line["family"], line["count"]), {})[label(line)] = line
-    pairs = [(name, key) for key in ratios for name in ours if any(line.get(key) for line in lines if label(line) == name)]
+    has = lambda name, key: any(line.get(key) for line in lines if label(line) == name)
+    pairs = [(name, key) for key in ratios for name in ours if has(name, key)]
     head = ["family", "count", *metrics, *(f"{name}, s" for name in labels)]
     head += [f"{key[6:]} / {name}" for name, key in pairs]
     print("| " + " | ".join(head) + " |")

@@ -5,7 +5,7 @@
     python3 Benchmarks/stream.py 1e7 --memory 256
     python3 Benchmarks/stream.py 1e8 --memory 2048 --alone
 
-Each run is a process of its own. It prints its seconds, its peak of memory, and a sum over all triangles by their points'
+Each run is a process of its own. It prints its seconds, its peak of memory, and a sum over all triangles by points'
 ids, which two runs share only if they have the same triangles. The folder is emptied in the end.
 """
 
@@ -48,7 +48,8 @@ def sum_of(triangles):
 
 
 def in_files(tiles, folder, options):
-    found = stream(tiles, folder, memory=options.memory << 20, block_points=options.block_points, threads=options.threads)
+    found = stream(tiles, folder, memory=options.memory << 20, block_points=options.block_points,
+                   threads=options.threads)
     seconds = time.monotonic()
     total = 0
     for file in found.files:

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The reference of the Python package as HTML, by pdoc: python3 python_reference.py FOLDER
 
-pdoc spells out the types of annotations. NumPy's ArrayLike is a union of a dozen protocols, and NDArray has the tuple of
+pdoc spells out the types of annotations. NumPy's ArrayLike is a union of a dozen protocols, and NDArray has a tuple of
 its shape; here both keep their names.
 """
 

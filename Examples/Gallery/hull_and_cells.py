@@ -32,7 +32,8 @@ triangles, hidden = regular_triangulation(sites, radii**2, return_hidden_points=
 cells = power_diagram(sites, radii**2, box=(0, 1.25, 0, 1))
 assert triangles.n_points + hidden.n_points == len(sites)
 assert set(cells["vtkOriginalPointIds"]) <= set(triangles["vtkOriginalPointIds"])
-print(f"{triangles.n_cells} triangles and {cells.n_cells} cells of {triangles.n_points} sites, {hidden.n_points} hidden")
+print(f"{triangles.n_cells} triangles and {cells.n_cells} cells", end=" ")
+print(f"of {triangles.n_points} sites, {hidden.n_points} hidden")
 
 scene = plotter(2, (1200, 560))
 dots = {"render_points_as_spheres": True}

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""South America as a treemap: cells whose areas are those of its countries, and within Brazil's those of its regions."""
+"""South America as a treemap: cells whose areas are those of its countries, in Brazil those of its regions."""
 
 import numpy as np
 import pyvista as pv

@@ -42,7 +42,7 @@ def add_licence(files, metadata, name, file):
 
 
 def absolute(description, home, version):
-    """The description with addresses in place of paths, at the version's tag; pictures as they are in the repository."""
+    """The description with addresses in place of paths, at the version's tag; pictures as in the repository."""
 
     def address(found):
         kind = "raw" if found[1] else "blob"

@@ -116,12 +116,15 @@ def test_an_array_for_each_set():
         (TypeError, "a sequence of arrays, one for each set", iter([POINTS]), {}),
         (ValueError, r"set 0: points are an array of n by 3 or n by 2 .* not of shape \(3,\)", [[1, 2, 3]], {}),
         (InputError, "set 2: points have 2 coordinates, and 3 in set 1", [[], POINTS, POINTS[:, :2]], {}),
-        (InputError, "set 1: .* first at point 0, 9 such", [np.ma.masked_less(POINTS[:9], 0.2), POINTS[:9] * np.nan], {}),
+        (InputError, "set 1: .* first at point 0, 9 such", 
+         [np.ma.masked_less(POINTS[:9], 0.2), POINTS[:9] * np.nan], {}),
         (TypeError, "set 1: coordinates are real numbers", [POINTS, [["a", "b"]]], {}),
-        (ValueError, "weights are a sequence of arrays, one for each of 2 sets", [POINTS[:5]] * 2, {"weights": WEIGHTS[:10]}),
+        (ValueError, "weights are a sequence of arrays, one for each of 2 sets", [POINTS[:5]] * 2,
+         {"weights": WEIGHTS[:10]}),
         (InputError, "set 1: there are not as many weights as points: 5 points, 4", [POINTS[:5]] * 2,
          {"weights": [WEIGHTS[:5], WEIGHTS[:4]]}),
-        (InputError, "set 1: .* points: 5 points, and weights are None", [POINTS[:5]] * 2, {"weights": [WEIGHTS[:5], None]}),
+        (InputError, "set 1: .* points: 5 points, and weights are None", [POINTS[:5]] * 2,
+         {"weights": [WEIGHTS[:5], None]}),
     ],
 )  # fmt: skip
 def test_sets_at_fault(error, words, sets, keywords):

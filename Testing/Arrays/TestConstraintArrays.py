@@ -130,7 +130,8 @@ def test_every_dimension():
 
 
 def test_when_nothing_is_inside():
-    with pytest.warns(UserWarning, match="no cell is inside the polygons, so none is left: what is on the left") as told:
+    with pytest.warns(UserWarning,
+                      match="no cell is inside the polygons, so none is left: what is on the left") as told:
         ours = regular_triangulation(GRID, polygons=[square(0, 8)[::-1]], polygon_rule="direction")
     assert [warning.filename for warning in told] == [__file__]
     with pytest.warns(UserWarning, match="no cell is inside the polygons, so none is left$"):
@@ -153,7 +154,8 @@ def test_when_nothing_is_inside():
         (
             {"polygons": [square(0, 4), square(1, 3)], "polygon_rule": "direction"},
             InputError,
-            r"disagree about what is inside: reverse polygons\[1\], which disagrees with polygons\[0\], or pass polygon_rule='even-odd'$",
+            r"disagree about what is inside: reverse polygons\[1\], which disagrees with polygons\[0\], "
+            "or pass polygon_rule='even-odd'$",
             7,
             3,
         ),
@@ -163,8 +165,10 @@ def test_when_nothing_is_inside():
         ({"polygons": [[2, 3, 2]]}, InputError, r"polygons\[0\] has 2 id\(s\)", 0, 1),
         ({"polygons": [[]]}, InputError, r"polygons\[0\] has 0 id\(s\)", 0, 1),
         ({"constraints": [[0, 1], [7]]}, InputError, r"constraints\[1\] has 1 id\(s\); it takes 2 or more", 1, 1),
-        ({"polygons": Polygons(np.array([0, 4]), np.arange(3))}, InputError, "offsets of polygons ascend from 0 to 3, .* but offset 1 is 4$", 1, 1),
-        ({"constraints": np.ma.array([[0, 1]], mask=[[0, 1]])}, InputError, r"constraints: entry \[0, 1\] is masked", 0, 1),
+        ({"polygons": Polygons(np.array([0, 4]), np.arange(3))}, InputError,
+         "offsets of polygons ascend from 0 to 3, .* but offset 1 is 4$", 1, 1),
+        ({"constraints": np.ma.array([[0, 1]], mask=[[0, 1]])}, InputError,
+         r"constraints: entry \[0, 1\] is masked", 0, 1),
         ({"constraints": np.array([[0, 2**64 - 1]], np.uint64)}, InputError, "out of range", -1, 0),
         ({"constraints": [[0, 1.0]]}, TypeError, "the ids of constraints are integers, not of type float64", 0, 0),
         ({"polygons": [[0, 1, 2, 3], [0, 1.5, 2]]}, TypeError, r"the ids of polygons\[1\] are integers", 0, 0),

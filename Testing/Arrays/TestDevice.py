@@ -100,7 +100,8 @@ def test_the_engine_is_told_where_the_device_has_them(device, monkeypatch):
     convex_hull(OnDevice(POINTS.astype(np.float32).astype(int)))  # read as other numbers
     convex_hull(POINTS)
     here, weights = POINTS.ctypes.data, WEIGHTS.ctypes.data
-    assert [(one.points_memory, one.weights_memory) for one in told] == [(here, 0), (here, weights), (0, 0), (0, 0), (0, 0)]
+    found = [(one.points_memory, one.weights_memory) for one in told]
+    assert found == [(here, 0), (here, weights), (0, 0), (0, 0), (0, 0)]
 
 
 def test_memory_that_the_host_can_read():

@@ -65,7 +65,8 @@ def test_a_masked_entry_is_named(name):
     assert (caught.value.code, caught.value.index, caught.value.count) == ("masked", place[0], 1)
 
 
-@pytest.mark.parametrize("chains", [[np.ma.array([0, 3], mask=[0, 1])], [np.ma.array([0, 3]), np.ma.array([0, 1], mask=[0, 1])]])
+@pytest.mark.parametrize("chains",
+                         [[np.ma.array([0, 3], mask=[0, 1])], [np.ma.array([0, 3]), np.ma.array([0, 1], mask=[0, 1])]])
 def test_masked_ids_in_lists(chains):
     with pytest.raises(InputError, match=rf"the ids of constraints\[{len(chains) - 1}\]: entry \[1\] is masked"):
         regular_triangulation(SQUARE, constraints=chains)
@@ -98,7 +99,8 @@ def test_masked_points_and_queries_are_left_out():
     assert convex_hull(points).volume == 4 and len(alpha_complex(points, 9.0).simplices) == 2
     assert convex_hulls(points, [0, 5]).volumes.tolist() == [4]
     assert power_diagram(points).sites.tolist() == [0, 1, 2, 3]
-    assert len(regular_triangulation(np.vstack([SQUARE, [[1, 1]]]), np.ma.array(np.zeros(5), mask=[0, 0, 0, 0, 1])).vertices) == 4
+    assert len(regular_triangulation(np.vstack([SQUARE, [[1, 1]]]),
+                                     np.ma.array(np.zeros(5), mask=[0, 0, 0, 0, 1])).vertices) == 4
     hull = convex_hull(SQUARE)
     assert (hull.contains(queries) > 0).tolist() == [True, False]
     assert np.isnan(hull.distance(queries)).tolist() == [False, True]
@@ -147,7 +149,8 @@ def test_geometries_are_told_the_way_out(name):
 
 
 @pytest.mark.parametrize("name", ALL)
-@pytest.mark.parametrize("given", [3, "text", {"x": 1}, np.zeros((4, 2), complex), np.zeros((4, 2), "M8[s]")], ids=range(5))
+@pytest.mark.parametrize("given", [3, "text", {"x": 1}, np.zeros((4, 2), complex), np.zeros((4, 2), "M8[s]")],
+                         ids=range(5))
 def test_what_is_no_array_of_numbers(name, given):
     argument = name.split(",")[0].split(" of ")[-1]
     argument = {"points": "coordinates"}.get(argument, argument)
@@ -234,7 +237,8 @@ def test_shapes_of_domains(areas_in, shape):
 def test_a_polygon_that_is_not_convex_names_the_caller_s_corner(areas_in):
     dented = [(0, 0), (4, 0), (4, 4), (1, 2.5), (0, 4)]
     for ring in (dented, dented[::-1], [*dented[::-1], dented[-1]], [dented[0], *dented]):
-        with pytest.raises(InputError, match=r"no convex polygon with finite corners: at corner \d, \(1.0, 2.5\)$") as caught:
+        with pytest.raises(InputError,
+                           match=r"no convex polygon with finite corners: at corner \d, \(1.0, 2.5\)$") as caught:
             areas_in(ring)
         assert caught.value.code == "not_convex" and ring[caught.value.index] == (1, 2.5)
     with pytest.raises(InputError, match=r"at corner 1, \(nan, 0.0\)"):
@@ -270,7 +274,8 @@ def test_bounds_are_in_the_order_of_shapely():
 @pytest.mark.parametrize(
     ("call", "kind", "said"),
     [
-        (lambda: convexify(CUBE, SURFACE, (1, np.nan, 1)), ValueError, r"kernel is 3 finite numbers, not \(1, nan, 1\)"),
+        (lambda: convexify(CUBE, SURFACE, (1, np.nan, 1)), ValueError,
+         r"kernel is 3 finite numbers, not \(1, nan, 1\)"),
         (lambda: convexify(CUBE, SURFACE, (1, 1)), ValueError, r"kernel is 3 finite numbers, not \(1, 1\)"),
         (lambda: convexify(SQUARE, [[0, 1, 2]]), ValueError, r"points of a surface are n by 3 .* shape \(4, 2\)"),
         (lambda: FLAT.alpha_complex(np.nan), ValueError, "alpha is a length.*not nan"),
@@ -285,9 +290,11 @@ def test_bounds_are_in_the_order_of_shapely():
         (lambda: prescribed_areas(SQUARE, np.ones((4, 2))), ValueError, r"areas are n numbers.*shape \(4, 2\)"),
         (lambda: validate(SQUARE), TypeError, r"result is what convex_hull\(\) or .* gives, not ndarray"),
         (lambda: regular_triangulation(SQUARE, []), ValueError, "not as many weights as points: .*0 weights"),
-        (lambda: FLAT.interpolate([1, 2, 3, 4], SQUARE, []), TypeError, r"method is one of 'linear', 'natural', 'clough-tocher', not \[\]"),
+        (lambda: FLAT.interpolate([1, 2, 3, 4], SQUARE, []), TypeError,
+         r"method is one of 'linear', 'natural', 'clough-tocher', not \[\]"),
         (lambda: FLAT.interpolate([1, 2, 3], SQUARE), ValueError, r"values are 4 numbers or rows.*shape \(3,\)"),
-        (lambda: FLAT.interpolate([1, 2, 3, 10**400], SQUARE), TypeError, "values are real numbers that a double holds"),
+        (lambda: FLAT.interpolate([1, 2, 3, 10**400], SQUARE), TypeError,
+         "values are real numbers that a double holds"),
     ],
     ids=range(18),
 )

@@ -44,7 +44,8 @@ def test_read(tmp_path, kind):
     (tmp_path / "a.las").write_bytes(las(kind))
     points, attributes = read_las(tmp_path / "a.las")
     assert points.tolist() == [[q * s + o for q, s, o in zip(p, SCALE, OFFSET)] for p in POINTS]
-    expected = {"intensity": [100, 101, 102], "return_number": [2] * 3, "classification": [2] * 3, "scan_angle": [-5] * 3,
+    expected = {"intensity": [100, 101, 102], "return_number": [2] * 3, "classification": [2] * 3,
+                "scan_angle": [-5] * 3,
                 "user_data": [8] * 3, "point_source_id": [77] * 3}  # fmt: skip
     if kind not in (0, 2):
         expected["gps_time"] = [0.5, 1.5, 2.5]
@@ -81,7 +82,8 @@ def changed(at, values):
         (changed(131, struct.pack("<d", np.nan)), "is not finite"),
         (changed(96, struct.pack("<I", 226)), "says that its points begin at byte 226, and its header has 227 bytes"),
         (las(6, begin=374).ljust(500), "says that its points begin at byte 374, and its header has 375 bytes"),
-        (changed(131, struct.pack("<d", 1e300)), r"no double holds: the scale is \[1e\+300, 0.5, 0.001\], the offset \[500000.0"),
+        (changed(131, struct.pack("<d", 1e300)),
+         r"no double holds: the scale is \[1e\+300, 0.5, 0.001\], the offset \[500000.0"),
     ],
 )
 def test_errors(tmp_path, data, words):

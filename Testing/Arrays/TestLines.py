@@ -77,7 +77,8 @@ def test_points_on_lines_stay_on_them():
     parcels = constrained_triangulation([], [*polygons, across[:, :2]])
     assert len(parcels.__geo_interface__["coordinates"]) == len(parcels.boundary) == 1
     # An end on another line, which a third one crosses.
-    ends = [[(500473, 4100800), (500643, 4100562)], [(500578, 4100653), (500411, 4100744)], [(500300, 4100469), (500627, 4100683)]]
+    ends = [[(500473, 4100800), (500643, 4100562)], [(500578, 4100653), (500411, 4100744)],
+            [(500300, 4100469), (500627, 4100683)]]
     utm = constrained_triangulation([], [np.array(pair, float) for pair in ends])
     at = np.flatnonzero((utm.points == ends[1][0]).all(axis=1))[0]
     assert (utm.fixed_edges == at).sum() == 3
@@ -237,7 +238,8 @@ def test_shapely_and_geopandas():
 
 
 BAD = [
-    ([LINE, mapping("LineString", [[0, 0, 0], [1, np.nan, 0]])], InputError, r"lines\[1\], vertex 1: \(1.0, nan, 0.0\)"),
+    ([LINE, mapping("LineString", [[0, 0, 0], [1, np.nan, 0]])], InputError,
+     r"lines\[1\], vertex 1: \(1.0, nan, 0.0\)"),
     (mapping("Polygon", [SQUARE, [(1, 1), (2, np.inf), (2, 1)]]), InputError, "lines, ring 1, vertex 1"),
     ([[[0, 0], [1, 1]]], TypeError, r"lines\[0\]\[0\]\[0\] is no geometry: a geometry has __geo_interface__"),
     ([LINE, LINE[:1]], InputError, r"lines\[1\] has 1 point\(s\): a line takes 2 or more"),
@@ -247,7 +249,8 @@ BAD = [
     ([], InputError, "lines is empty"),
     ({"type": "GeometryCollection", "geometries": []}, InputError, "lines is empty"),
     ([LINE, mapping("LineString", [])], InputError, r"lines\[1\] is empty"),
-    ({"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": None}]}, TypeError, r"features\[0\] has no"),
+    ({"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": None}]}, TypeError,
+     r"features\[0\] has no"),
     (mapping("Point", [0, 0]), TypeError, "lines is a Point, and no line"),
     ({"type": "Circle"}, TypeError, "lines is no geometry: its type is 'Circle'"),
     ({"type": "Polygon"}, TypeError, "lines is a Polygon without a list of coordinates"),

@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 import scipy.spatial
 
-from vtkflipflop.arrays import InputError, OutOfMemoryError, Side, convex_hull, convex_hulls, power_diagram, regular_triangulation
+from vtkflipflop.arrays import (
+    InputError, OutOfMemoryError, Side, convex_hull, convex_hulls, power_diagram, regular_triangulation
+)  # fmt: skip
 
 RANDOM = np.random.default_rng(9)
 CUBE = np.array(list(itertools.product((0.0, 2.0), repeat=3)))
@@ -85,7 +87,8 @@ def test_hulls_of_less(points):
     assert np.isfinite(hull.equations).all()
 
 
-@pytest.mark.parametrize("shape", [[], [[3, 4]], [[3, 4]] * 2, [[0, 0], [6, 8], [3, 4]], [[3, 0], [0, 4], [3, 0]], [[2, 1], [2, 0]]])
+@pytest.mark.parametrize("shape", [[], [[3, 4]], [[3, 4]] * 2, [[0, 0], [6, 8], [3, 4]], [[3, 0], [0, 4], [3, 0]],
+                                   [[2, 1], [2, 0]]])
 def test_flat_hulls_are_alike_in_the_plane_and_in_space(shape):
     """The same cells; a hull of one dimension less than its space has its equation and its measure, once."""
     flat = np.reshape(np.array(shape, float), (-1, 2))
@@ -121,7 +124,8 @@ def test_places_at_fault():
         (flat.support, [1, 2, 3]),
         (triangulation.locate, np.ones((2, 3, 4))),
     ):
-        with pytest.raises(ValueError, match=r"are an array of shape \(..., [23]\) here, .* [23] coord.*; not of shape"):
+        with pytest.raises(ValueError,
+                           match=r"are an array of shape \(..., [23]\) here, .* [23] coord.*; not of shape"):
             ask(places)
 
 
@@ -275,8 +279,10 @@ def test_images_that_cannot_be():
         (OutOfMemoryError, "^out of memory: 9223372036854775807 bytes", {"shape": (2**31, 2**31)}),
         (OutOfMemoryError, "^out of memory: 9223372036854775807 bytes", {"spacing": 1e-9}),
         (OutOfMemoryError, r"^out of memory: \d+ bytes", {"shape": (2**24, 2**24)}),
-        (InputError, "^a length of 5e-324 cannot be divided into 2 pixels$", {"shape": (2, 2), "bounds": (0, 5e-324, 0, 1)}),
-        (InputError, "^a length of inf cannot be divided into 3 pixels$", {"shape": (3, 2), "bounds": (0, 1, -1e308, 1e308)}),
+        (InputError, "^a length of 5e-324 cannot be divided into 2 pixels$",
+         {"shape": (2, 2), "bounds": (0, 5e-324, 0, 1)}),
+        (InputError, "^a length of inf cannot be divided into 3 pixels$",
+         {"shape": (3, 2), "bounds": (0, 1, -1e308, 1e308)}),
     ):
         with pytest.raises(error, match=message):
             triangulation.to_image(range(4), **wrong)

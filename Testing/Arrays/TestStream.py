@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""stream(): all files together are the call in memory, bit for bit, of any input; what pieces may be, and their errors."""
+"""stream(): all files together are the call in memory, bit for bit, of any input; what pieces may be; their errors."""
 
 import numpy as np
 import pytest
@@ -217,27 +217,40 @@ def test_what_is_not_finite(tmp_path, kind):
 FIRST = {"points": POINTS[:10], "n": np.arange(10), "flag": np.zeros(10, bool)}
 WRONG = {
     "no points": ({"n": np.arange(10)}, "there are no 'points' among 'n'"),
-    "an attribute less": ({"points": POINTS[:5], "n": np.arange(5)}, "there is no attribute 'flag', which the first piece has"),
+    "an attribute less": ({"points": POINTS[:5], "n": np.arange(5)},
+                          "there is no attribute 'flag', which the first piece has"),
     "one more": (FIRST | {"m": np.arange(10)}, "there is an attribute 'm', which the first piece has not"),
-    "another type": (FIRST | {"n": np.arange(10.0)}, "attribute 'n': the type is float64, and int64 in the first piece"),
+    "another type": (FIRST | {"n": np.arange(10.0)},
+                     "attribute 'n': the type is float64, and int64 in the first piece"),
     "another order of bytes": (FIRST | {"n": np.arange(10, dtype=">i8")}, "attribute 'n': the type is >i8, and int64"),
-    "another shape": (FIRST | {"n": np.zeros((10, 2), int)}, r"attribute 'n': a point has the shape \(2,\), and \(\) in"),
-    "too few values": (FIRST | {"n": np.arange(9)}, r"attribute 'n' has a value for each of 10 points, and not the shape \(9,\)"),
+    "another shape": (FIRST | {"n": np.zeros((10, 2), int)},
+                      r"attribute 'n': a point has the shape \(2,\), and \(\) in"),
+    "too few values": (FIRST | {"n": np.arange(9)},
+                       r"attribute 'n' has a value for each of 10 points, and not the shape \(9,\)"),
     "one value": (FIRST | {"n": 3}, r"attribute 'n' has a value for each of 10 points, and not the shape \(\)"),
-    "objects": (FIRST | {"n": np.array([None] * 10)}, "attribute 'n' has values of a fixed size, and not of type object"),
-    "masked": (FIRST | {"n": np.ma.array(np.arange(10), mask=np.arange(10) == 4)}, r"attribute 'n': entry \[4\] is masked"),
-    "a name of the file's": (FIRST | {"ids": np.arange(10)}, "an attribute's name is text, and none of points, .*; it is 'ids'"),
-    "a file's name": (FIRST | {"points.npy": np.arange(10)}, "an attribute's name .* has no .npy at its end; it is 'points.npy'"),
+    "objects": (FIRST | {"n": np.array([None] * 10)},
+                "attribute 'n' has values of a fixed size, and not of type object"),
+    "masked": (FIRST | {"n": np.ma.array(np.arange(10), mask=np.arange(10) == 4)},
+               r"attribute 'n': entry \[4\] is masked"),
+    "a name of the file's": (FIRST | {"ids": np.arange(10)},
+                             "an attribute's name is text, and none of points, .*; it is 'ids'"),
+    "a file's name": (FIRST | {"points.npy": np.arange(10)},
+                      "an attribute's name .* has no .npy at its end; it is 'points.npy'"),
     "a name that ends": (FIRST | {"a\0b": np.arange(10)}, "an attribute's name is text, "),
     "half of a pair": (FIRST | {"\ud800": np.arange(10)}, "an attribute's name is text, "),
     "a number as a name": (FIRST | {3: np.arange(10)}, "an attribute's name is text, .*; it is 3"),
-    "weights": (FIRST | {"weights": np.arange(10)}, "there are 'weights', which kind='delaunay' does not know: take kind='regular'"),
-    "too wide for integers": (FIRST | {"points": [[2**31, 0, 0]] * 10}, "points: the type is int64, and int32 in the first "
-                              "piece, which does not hold 2147483648"),
-    "floats after integers": (FIRST | {"points": POINTS[:10]}, "points: the type is float64, and int64 in the first piece"),
-    "other points": (FIRST | {"points": POINTS[:10].astype(np.float32)}, "points: the type is float32, and float64 in the first piece"),
-    "two coordinates": (FIRST | {"points": POINTS[:10, :2]}, r"points: a point has the shape \(2,\), and \(3,\) in the first piece"),
-    "not of this shape": (FIRST | {"points": POINTS[0]}, "points are an array of n by 3 or n by 2 coordinates, not of shape"),
+    "weights": (FIRST | {"weights": np.arange(10)},
+                "there are 'weights', which kind='delaunay' does not know: take kind='regular'"),
+    "too wide for integers": (FIRST | {"points": [[2**31, 0, 0]] * 10},
+                              "points: the type is int64, and int32 in the first piece, which does not hold 2147"),
+    "floats after integers": (FIRST | {"points": POINTS[:10]},
+                              "points: the type is float64, and int64 in the first piece"),
+    "other points": (FIRST | {"points": POINTS[:10].astype(np.float32)},
+                     "points: the type is float32, and float64 in the first piece"),
+    "two coordinates": (FIRST | {"points": POINTS[:10, :2]},
+                        r"points: a point has the shape \(2,\), and \(3,\) in the first piece"),
+    "not of this shape": (FIRST | {"points": POINTS[0]},
+                          "points are an array of n by 3 or n by 2 coordinates, not of shape"),
     "text": (FIRST | {"points": "text"}, "coordinates are an array or a list of numbers, not of type str"),
     "a number": (7, "coordinates are an array or a list of numbers, not of type int"),
     "inexact": ([[2**53 + 1, 0, 0.5]], "a coordinate is no number that a double holds, .*: first at point 0"),
@@ -255,8 +268,10 @@ def test_a_piece_at_fault_is_named(tmp_path, name):
 
 
 @pytest.mark.parametrize("kind, piece, words", [
-    ("regular", POINTS, "piece 0: there are no 'weights', which kind='regular' needs; without them, take kind='delaunay'"),
-    ("regular", {"points": POINTS, "weights": WEIGHTS[1:]}, "piece 0: there are not as many weights as points: 3000 points, 2999"),
+    ("regular", POINTS,
+     "piece 0: there are no 'weights', which kind='regular' needs; without them, take kind='delaunay'"),
+    ("regular", {"points": POINTS, "weights": WEIGHTS[1:]},
+     "piece 0: there are not as many weights as points: 3000 points, 2999"),
     ("regular", {"points": POINTS, "weights": POINTS}, "piece 0: weights are n numbers, one for each point"),
     ("hull", POINTS[:, :2], "piece 0: a hull of pieces is of points of three coordinates, not of two"),
 ])  # fmt: skip
@@ -304,5 +319,6 @@ def test_arguments(tmp_path, keywords, error, words):
 
 @pytest.mark.parametrize("pieces", ["tiles", b"tiles", {0: POINTS}, iter([POINTS]), 3, None], ids=range(6))
 def test_what_is_no_sequence(tmp_path, pieces):
-    with pytest.raises(TypeError, match="^pieces are a sequence, or an object with __len__ and __getitem__, not of type"):
+    with pytest.raises(TypeError,
+                       match="^pieces are a sequence, or an object with __len__ and __getitem__, not of type"):
         stream(pieces, tmp_path)

@@ -406,7 +406,8 @@ def test_a_process_that_is_killed(tmp_path, expected):
         process.stdout.close()
         return process.wait() == -signal.SIGKILL
 
-    ways = [("piece", 6), ("fraction", 0.25), ("fraction", 0.5), ("fraction", 0.7), ("fraction", 0.86), ("write", 1), ("write", 9)]
+    ways = [("piece", 6), ("fraction", 0.25), ("fraction", 0.5), ("fraction", 0.7), ("fraction", 0.86), ("write", 1),
+            ("write", 9)]
     for number, (way, at) in enumerate(ways):
         folder = tmp_path / str(number)
         if killed(way, at, folder):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkflipflop.arrays: terrain meshes: their forms and errors, lines with points of their own. What else a mesh promises,
+"""vtkflipflop.arrays: terrain meshes: their forms and errors, lines with points of their own. What else they promise,
 the engine's tests hold.
 """
 
@@ -116,7 +116,8 @@ def test_lines_and_their_heights():
     for again in (pickle.loads(pickle.dumps(mesh)), copy.deepcopy(mesh)):
         assert again.joined.points.tobytes() == mesh.joined.points.tobytes()
     done = []
-    terrain_mesh(MANY, lines=[[0.1, 0.1, 0], [0.9, 0.9, 1]] * np.ones((2, 3)), tolerance=2, progress=done.append, threads=1)
+    terrain_mesh(MANY, lines=[[0.1, 0.1, 0], [0.9, 0.9, 1]] * np.ones((2, 3)), tolerance=2, progress=done.append,
+                 threads=1)
     assert done == sorted(done) and len(done) > 2
 
 
@@ -150,7 +151,8 @@ def test_points_that_are_left_out():
         (lambda: terrain_mesh(POINTS, lines=ROAD, constraints=[LINE]), ValueError, "constraints or lines, not both"),
         (lambda: terrain_mesh(POINTS, lines=[]), InputError, "lines is empty"),
         (lambda: terrain_mesh(POINTS, lines=ROAD * [1, 1, np.inf]), InputError, "lines, vertex 0: .* NaN or infinite"),
-        (lambda: terrain_mesh(POINTS, lines=ROAD[:, :2] + [0, 16]), InputError, r"leave the points' hull: first at \(12.5"),
+        (lambda: terrain_mesh(POINTS, lines=ROAD[:, :2] + [0, 16]), InputError,
+         r"leave the points' hull: first at \(12.5"),
         (lambda: terrain_mesh(MANY, progress=lambda done: False), AbortedError, "abort"),
     ],
 )

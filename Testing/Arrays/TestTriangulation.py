@@ -59,7 +59,8 @@ def test_both_forms_of_facets_are_the_same_either_way():
 
 def test_every_dimension():
     line = np.arange(5)[:, None] * [1, 2]
-    for points, dimension, shape in ((GRID[:0], -1, (0, 0)), (GRID[:1], 0, (1, 1)), (line, 1, (4, 2)), (GRID, 2, (24, 3))):
+    for points, dimension, shape in ((GRID[:0], -1, (0, 0)), (GRID[:1], 0, (1, 1)), (line, 1, (4, 2)),
+                                     (GRID, 2, (24, 3))):
         ours = regular_triangulation(points)
         assert (ours.dimension, ours.simplices.shape) == (dimension, shape)
         assert validate(ours)

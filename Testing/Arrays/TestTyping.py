@@ -19,9 +19,10 @@ import vtkflipflop
 from numpy.typing import NDArray
 from typing import assert_type
 from vtkflipflop.arrays import CentroidalCells, PrescribedAreas, centroidal_cells, prescribed_areas
-from vtkflipflop.arrays import ConvexHull, Diameter, HullBatch, InputError, OrientedBox, Polygons, PowerDiagram, RegularTriangulation
+from vtkflipflop.arrays import ConvexHull, Diameter, HullBatch, InputError, OrientedBox, Polygons
 from vtkflipflop.arrays import Validation, convex_hull, convex_hulls, convexify, power_diagram, regular_triangulation
-from vtkflipflop.arrays import AlphaComplex, ConstrainedTriangulation, TerrainMesh, alpha_complex, terrain_mesh, validate
+from vtkflipflop.arrays import PowerDiagram, RegularTriangulation, AlphaComplex, ConstrainedTriangulation, TerrainMesh
+from vtkflipflop.arrays import alpha_complex, terrain_mesh, validate
 from pathlib import Path
 from vtkflipflop.arrays import Streamed, TriangulationBatch, regular_triangulations, constrained_triangulation, stream
 

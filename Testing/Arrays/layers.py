@@ -27,5 +27,6 @@ def ids(result):
 
 def bits(result):
     """Its points and cells, to compare within a layer."""
-    cells = (result.faces,) if hasattr(result, "faces") else tuple(result.cells) if hasattr(result, "cells") else (result.simplices,)
+    name = next(name for name in ("faces", "cells", "simplices") if hasattr(result, name))
+    cells = tuple(result.cells) if name == "cells" else (getattr(result, name),)
     return corners(result).tobytes(), *(cell.tobytes() for cell in cells)

@@ -51,7 +51,8 @@ class TestReport(unittest.TestCase):
         with contextlib.redirect_stdout(io.StringIO()) as out:
             report.markdown(self.lines, ["vertices"])
         lines = out.getvalue().splitlines()
-        self.assertEqual(lines[0], "| family | count | vertices | flipflop, 1 thr., s | qhull, s | qhull / flipflop, 1 thr. |")
+        self.assertEqual(lines[0],
+                         "| family | count | vertices | flipflop, 1 thr., s | qhull, s | qhull / flipflop, 1 thr. |")
         self.assertEqual(lines[2], "| cube | 1,000 | 8 | 0.1 | 0.4* | 3.0 |")
         self.assertEqual(lines[3], "| cube | 2,000 | 8 | 0.1 | skipped | - |")
 

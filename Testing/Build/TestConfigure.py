@@ -92,7 +92,8 @@ class TestConfigure(unittest.TestCase):
         options = [ENGINE_ALONE, "-DCMAKE_DISABLE_FIND_PACKAGE_CGAL=ON", "-DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON"]
         configured = self.on_top(*options)
         self.assertFalse(configured.failed, configured.printed)
-        self.assertIn("Left out: the tests of the engine, and the fuzzers: no GoogleTest and CGAL was", configured.printed)
+        self.assertIn("Left out: the tests of the engine, and the fuzzers: no GoogleTest and CGAL was",
+                      configured.printed)
         self.assertEqual(configured.cache["CMAKE_BUILD_TYPE"], "Release")
         configured = self.on_top(*options, "-DFLIPFLOP_ALL_TESTS=ON")
         self.assertTrue(configured.failed)
@@ -163,7 +164,8 @@ class TestConfigure(unittest.TestCase):
         self.assertIn("nvidia-smi finds no device", said[0])
 
     def test_device(self):
-        configured = self.on_top(ENGINE_ALONE, "-DBUILD_TESTING=OFF", path=self.with_devices("9.0", "8.6", "9.0", "6.1"))
+        configured = self.on_top(ENGINE_ALONE, "-DBUILD_TESTING=OFF",
+                                 path=self.with_devices("9.0", "8.6", "9.0", "6.1"))
         if shutil.which("nvcc"):
             self.assertIn("The CUDA engine is built for 90;86\n", configured.printed)
             commands = configured.compiles(".cu")
@@ -175,7 +177,8 @@ class TestConfigure(unittest.TestCase):
             self.assertIn("No CUDA engine: no CUDA compiler was found", configured.printed)
 
     def test_vtk_decides_for_its_modules(self):
-        configured = self.on_top(ENGINE_ALONE, "-DBUILD_TESTING=OFF", "-DVTK_USE_CUDA=OFF", path=self.with_devices("9.0"))
+        configured = self.on_top(ENGINE_ALONE, "-DBUILD_TESTING=OFF", "-DVTK_USE_CUDA=OFF",
+                                 path=self.with_devices("9.0"))
         self.assertIn("No CUDA engine: VTK_USE_CUDA is OFF", configured.printed)
 
     def with_devices(self, *capabilities):

@@ -6,7 +6,7 @@
 A mutant is the source tree with pieces of text replaced, built like the tree itself. Each piece has to be there
 exactly once, however its lines are broken: where it is not, the source has changed, and the tables below have to
 follow. Without a CUDA compiler the rounds are broken, and the device test on the host has to notice; with one
-the executor and the device's code, and the device test on the stand-in. A crash counts, and so does a test that does not end.
+the executor and the device's code, and the device test on the stand-in. A crash counts, as does a test without end.
 
     mutants.py --source TREE --work FOLDER [--cuda-compiler NVCC] [--only NAME...]
 """
@@ -284,7 +284,8 @@ class Tree:
         copy_tree(options.source, self.source)
         cuda = ["-DFLIPFLOP_CUDA=OFF"]
         if options.cuda_compiler:
-            cuda = ["-DFLIPFLOP_CUDA=ON", f"-DCMAKE_CUDA_COMPILER={options.cuda_compiler}", "-DCMAKE_CUDA_ARCHITECTURES=90"]
+            cuda = ["-DFLIPFLOP_CUDA=ON", f"-DCMAKE_CUDA_COMPILER={options.cuda_compiler}",
+                    "-DCMAKE_CUDA_ARCHITECTURES=90"]
         command = [
             "cmake", "-G", "Ninja", "-S", self.source, "-B", self.build, "-DCMAKE_BUILD_TYPE=Release", *cuda,
             "-DFLIPFLOP_BUILD_FILTERS=OFF", "-DFLIPFLOP_WRAP_PYTHON=OFF", "-DFLIPFLOP_BUILD_EXAMPLES=OFF",
@@ -300,7 +301,8 @@ class Tree:
             return False, f"does not compile: {self.log}"
         command = ["env", *test[:at], os.path.join(self.build, "bin", test[at]), *test[at + 1:]]
         try:
-            ended = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=SECONDS)
+            ended = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                   timeout=SECONDS)
         except subprocess.TimeoutExpired:
             return True, f"not done in {SECONDS} s"
         said = [line for line in ended.stdout.splitlines() if not line.startswith("ok ")]

@@ -162,8 +162,10 @@ class TestDependencies(unittest.TestCase):
     def test_a_call_in_the_callers_environment_is_noticed(self):
         header = "class Queries\n{\n  Queries(int a); // or (b)\n  int at(int) const;\n};\nint sum(int a,\n  int b);\n"
         source = (
-            "namespace\n{\n\nint sum(int a)\n{\n  return a;\n}\n\n}\n\nQueries::Queries(int a)\n  : b(engineCall([&] { return a; }))\n"
-            "{\n}\n\nint Queries::at(int i) const\n{\n  return i;\n}\n\nint sum(int a, int b)\n{\n  return engineCall([&] { return a; });\n}\n"
+            "namespace\n{\n\nint sum(int a)\n{\n  return a;\n}\n\n}\n\n"
+            "Queries::Queries(int a)\n  : b(engineCall([&] { return a; }))\n"
+            "{\n}\n\nint Queries::at(int i) const\n{\n  return i;\n}\n\n"
+            "int sum(int a, int b)\n{\n  return engineCall([&] { return a; });\n}\n"
         )
         with tempfile.TemporaryDirectory() as top:
             make_tree(top, {"Engine/include/flipflop/Sum.h": header, "Engine/Run/Sum.cxx": source})

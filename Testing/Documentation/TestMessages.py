@@ -117,7 +117,8 @@ class TestMessages(unittest.TestCase):
         self.assertEqual({step for step in steps if step not in told}, set())
 
     def test_every_code_is_told(self):
-        codes = re.search(r"enum class ErrorCode\n\{(.*?)\};", read("Engine", "include", "flipflop", "Error.h"), re.DOTALL)
+        codes = re.search(r"enum class ErrorCode\n\{(.*?)\};", read("Engine", "include", "flipflop", "Error.h"),
+                          re.DOTALL)
         codes = set(re.findall(r"^\s*(\w+)\s*(?:,|///<)", codes[1], re.MULTILINE))
         self.assertIn("NonFinite", codes)
         told = set(re.findall(r"`([A-Z]\w+)`", PAGE))

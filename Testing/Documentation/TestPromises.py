@@ -60,7 +60,8 @@ class TestFaults(unittest.TestCase):
 
     def test_dates_are_those_of_commits(self):
         def git(*arguments):
-            return subprocess.run(["git", "-C", TOP, *arguments], capture_output=True, text=True, check=False).stdout.strip()
+            return subprocess.run(["git", "-C", TOP, *arguments], capture_output=True, text=True,
+                                  check=False).stdout.strip()
 
         has_history = git("rev-parse", "--is-shallow-repository") == "false"
         for since, mended, commit, _ in self.rows:

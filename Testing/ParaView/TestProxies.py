@@ -274,7 +274,8 @@ class TestPlane(unittest.TestCase):
         image.InterpolationMode = "Clough-Tocher"
         made = fetch(run(image))
         self.assertEqual(made.GetSpacing(), (100.0, 200.0, 1.0))
-        points = simple.PointInterpolator2DDelaunayFlipFlop(Input=image, Source=survey, InterpolationMode="Clough-Tocher")
+        points = simple.PointInterpolator2DDelaunayFlipFlop(Input=image, Source=survey,
+                                                            InterpolationMode="Clough-Tocher")
         points.NullValue = float("nan")
         found = fetch(run(points)).GetPointData()
         for name in ("Elevation", "vtkValidPointMask"):

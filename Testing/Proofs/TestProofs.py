@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every error bound of the sources has a proof of the very expression, and the two are the same (Documentation/Exactness.md).
+"""Every error bound of the sources has a proof of the very expression, and both agree (Documentation/Exactness.md).
 
 A script quotes what it mirrors:
     #: FILE FUNCTION    what follows is in this function
@@ -38,7 +38,8 @@ OTHER = {
     "Engine/Query/FacetPlane.h": ("ranges of a rounded result", "0x1p-120", "0x1p1000", "0x1p1023"),
     "Engine/Query/SurfaceTree.cxx": ("which way to a rounded result", "0x1p-32", "0x1p-120", "1e-3"),
     "Engine/Query/UnitFrame.h": ("no overflow", "0x1p1000"),
-    "Engine/Query/PlaneValues.h": ("when a result is computed again, and ranges", "0x1p-4", "0x1p-12", "0x1p-30", "0x1p-480", "0x1p-120", "0x1p240"),
+    "Engine/Query/PlaneValues.h": ("when a result is computed again, and ranges", "0x1p-4", "0x1p-12", "0x1p-30",
+                                   "0x1p-480", "0x1p-120", "0x1p240"),
     "Engine/Query/TriangleShares.cxx": ("ranges of a rounded result", "0x1p-900", "0x1p900"),
     "Engine/Query/SiteGradients.cxx": ("the rank of a fit", "1e-6"),
     "Engine/Query/OffsetFrame.h": ("a range of a rounded result", "0x1p-300"),
@@ -280,7 +281,8 @@ class Proofs(unittest.TestCase):
                     self.assertEqual(Path(name).stem, "lattice")
                     continue
                 try:
-                    run = subprocess.run(["gappa", "-Eprecision=200"], input=half, capture_output=True, text=True, timeout=2)
+                    run = subprocess.run(["gappa", "-Eprecision=200"], input=half, capture_output=True, text=True,
+                                         timeout=2)
                     self.assertNotEqual(run.returncode, 0)
                 except subprocess.TimeoutExpired:
                     pass
@@ -299,7 +301,8 @@ class Mutants(unittest.TestCase):
             self.notice(BOUNDS, f" {name} = ", f" {name} = 1.5 * ")
 
     def test_expressions(self):
-        self.notice("Engine/Predicates/ExactSigns.h", "const double det = left - right;", "const double det = left + right;")
+        self.notice("Engine/Predicates/ExactSigns.h", "const double det = left - right;",
+                    "const double det = left + right;")
         self.notice("Engine/Predicates/ExactSigns.h", "most > PlaneFloor &&", "most >= 0 &&")
         self.notice("Engine/Geometry/HullGeometry.h", "(u[2] * v[0] - u[0] * v[2])", "(u[2] * v[0] - v[2] * u[0])")
         self.notice("Engine/Geometry/LiftedGeometry.h", "std::fabs(vw) + std::fabs(wv)", "std::fabs(vw - wv)")
@@ -315,7 +318,8 @@ class Mutants(unittest.TestCase):
 
     def test_new_bounds(self):
         self.notice("Engine/Geometry/Direction.h", "double sum = 0;", "double sum = 0; const double error = 1e-15;")
-        self.notice("Cuda/Rounds/CellWriter.h", "namespace flipflop", "constexpr double Bound = 3 * 0x1p-53;\nnamespace flipflop")
+        self.notice("Cuda/Rounds/CellWriter.h", "namespace flipflop",
+                    "constexpr double Bound = 3 * 0x1p-53;\nnamespace flipflop")
         self.notice(BOUNDS, "\n}\n", "constexpr double NewError = 0x1p-50;\n\n}\n")
 
 

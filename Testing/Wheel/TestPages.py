@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python of pages runs as it is printed, and prints what its comments say: README.md and two others, the tutorials as
+"""The Python of pages runs as it is printed, and prints what its comments say: README.md and two others, tutorials as
 notebooks, and the arrays' examples. A tutorial's pictures are those that its code draws.
 
 What imports something that is not installed is left out, with all after it: it uses that, too. In the cookbook, and for

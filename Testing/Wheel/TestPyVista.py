@@ -27,7 +27,8 @@ from vtkflipflop.pyvista import (
     terrain_mesh,
 )
 
-FUNCTIONS = (convex_hull, convexify, regular_triangulation, power_diagram, centroidal_cells, prescribed_areas, terrain_mesh)
+FUNCTIONS = (convex_hull, convexify, regular_triangulation, power_diagram, centroidal_cells, prescribed_areas,
+             terrain_mesh)
 OF_POINTS = (convex_hull, regular_triangulation, power_diagram)
 HAS_ACCESSORS = hasattr(pv, "register_dataset_accessor")
 
@@ -430,7 +431,8 @@ def test_no_other_vtk_is_loaded():
         "roots = lambda: {name.split('.')[0] for name in sys.modules}\n"
         "before = roots()\n"
         "from vtkflipflop.pyvista import convex_hull, power_diagram\n"
-        "convex_hull(pv.Cube()), power_diagram(pv.MultiBlock([pv.Plane()]), projection_plane_mode='best_fitting_plane')\n"
+        "convex_hull(pv.Cube())\n"
+        "power_diagram(pv.MultiBlock([pv.Plane()]), projection_plane_mode='best_fitting_plane')\n"
         "print(sorted(name for name in roots() - before if name.startswith(('vtk', 'cvista'))))\n"
         "print('vtkflipflop._vtk' in sys.modules)\n"
     )

@@ -32,7 +32,8 @@ def spoilt(count, bad):
 @pytest.mark.parametrize("function", (convex_hull, regular_triangulation, power_diagram))
 def test_one_of_many_blocks_is_at_fault(function):
     blocks = spoilt(199, [90])
-    with pytest.raises(InputError, match="first at point 3 of the block .*flat index 91.*; no result: 1 of 199") as raised:
+    with pytest.raises(InputError,
+                       match="first at point 3 of the block .*flat index 91.*; no result: 1 of 199") as raised:
         function(blocks)
     error = raised.value
     assert (error.code, error.index, error.count) == ("non_finite", 3, 1)

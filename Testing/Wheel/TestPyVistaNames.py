@@ -26,7 +26,8 @@ FUNCTIONS = (
     prescribed_areas, terrain_mesh,
 )  # fmt: skip
 # Of a mesh, an argument may be a point array's name; and what comes first is not one of arrays.
-OWN_TYPES = {"points", "mesh", "surface", "triangles", "weights", "heights", "areas", "constraints", "domain", "box", "kernel"}
+OWN_TYPES = {"points", "mesh", "surface", "triangles", "weights", "heights", "areas", "constraints", "domain", "box",
+             "kernel"}
 
 
 @pytest.mark.parametrize("function", FUNCTIONS)
@@ -42,7 +43,8 @@ def test_arguments_have_the_names_of_the_array_layer(function):
     for name in common:
         assert here[name].default == there[name].default, name
         if name not in OWN_TYPES:
-            types = [typing.get_type_hints(one)[name] for one in (function, getattr(vtkflipflop.arrays, function.__name__))]
+            types = [typing.get_type_hints(one)[name] for one in (function,
+                                                                  getattr(vtkflipflop.arrays, function.__name__))]
             assert types[0] == types[1] or types[1] is str, name  # or a Literal of strings
     # What is called otherwise there: within_edge_length(limit).
     own = {"composite_mode", "projection_plane_mode", "transform", "radii", "weight_factor", "maximum_edge_length",

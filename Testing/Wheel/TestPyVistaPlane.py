@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkflipflop.pyvista in the plane: triangulations with weights, constraints and alpha, diagrams, cells of given areas."""
+"""vtkflipflop.pyvista in the plane: triangulations with weights, constraints, alpha; diagrams, cells of given areas."""
 
 import numpy as np
 import pytest
@@ -177,7 +177,8 @@ def test_closed_lines_are_borders():
         assert found.area == pytest.approx(area, rel=1e-6)
     assert constrained_triangulation(hull, sides, closed_lines_as_borders=True, polygon_rule="direction").area == 10
     few = pv.PolyData(corners, lines=[1, 0, 2, 0, 2, 2, 1, 1], faces=[2, 0, 1, 4, 0, 1, 1, 0])
-    with pytest.raises(InputError, match=r"cell 0 of lines has 1 point\(s\): a line takes 2 or more; degenerate='ignore'"):
+    with pytest.raises(InputError,
+                       match=r"cell 0 of lines has 1 point\(s\): a line takes 2 or more; degenerate='ignore'"):
         constrained_triangulation(hull, few)
     both = constrained_triangulation(hull, few, degenerate="ignore")
     assert both.field_data["DegenerateLines"].tolist() == [4] and both.area == 16
@@ -192,7 +193,8 @@ def test_lines_that_cannot_be_used():
     mesh = pv.PolyData(SQUARE)
     for lines, error, sentence in (
         (pv.PolyData(), InputError, "lines is empty"),
-        (pv.PolyData([[0, 0, 0], [np.nan, 0, 0]], lines=[2, 0, 1]), InputError, "point 1 of cell 0 of lines, .* has a coord"),
+        (pv.PolyData([[0, 0, 0], [np.nan, 0, 0]], lines=[2, 0, 1]), InputError,
+         "point 1 of cell 0 of lines, .* has a coord"),
         (mesh.cast_to_unstructured_grid(), TypeError, "lines are a PolyData or geometries, not a vtkUnstructuredGrid"),
         ([np.zeros((1, 3))], InputError, r"lines\[0\] has 1 point"),
     ):
@@ -318,7 +320,8 @@ def test_weights_that_cannot_be_used():
     mesh = cloud(30)
     mesh.point_data["pairs"] = np.zeros((30, 2))
     mesh.point_data["words"] = ["w"] * 30
-    for name, words in {"nowhere": "is missing", "pairs": "has 2 components", "words": ".* does not hold numbers"}.items():
+    for name, words in {"nowhere": "is missing", "pairs": "has 2 components",
+                        "words": ".* does not hold numbers"}.items():
         with pytest.raises(InputError, match=f'the weights\' array "{name}" {words}'):
             regular_triangulation(mesh, name)
     with pytest.raises(InputError, match="is missing"):

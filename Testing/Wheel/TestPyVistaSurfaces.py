@@ -68,7 +68,8 @@ def test_surfaces_that_are_none():
         "cell 1 is a polygon of 2": pv.PolyData(CUBE, faces=[4, 0, 2, 3, 1, 2, 4, 5]),
         "the surface is not closed: first at cell 0, 4 edge": squares(SQUARES[:5]),
         "a polygon crosses or touches itself: first at cell 3, 1 such": squares([*SQUARES[:3], [2, 7, 6, 3]]),
-        "corner is out of range or used twice: first at cell 4, 2 such": squares([*SQUARES[:4], [0, 1, 1, 2], [0, 1, 9]]),
+        "corner is out of range or used twice: first at cell 4, 2 such": squares([*SQUARES[:4], [0, 1, 1, 2],
+                                                                                  [0, 1, 9]]),
         "the surface has no cells, but 3 point": points,
         "the surface is not closed: first at triangle": open_one,
     }.items():

@@ -112,7 +112,8 @@ def made(name):
 
 def blocks():
     inner = pv.MultiBlock({"b": made("image"), "c": made("ghosts")})
-    whole = pv.MultiBlock({"a": made("uniform"), "none": None, "inner": inner, "empty": pv.PolyData(), "d": made("floats")})
+    whole = pv.MultiBlock({"a": made("uniform"), "none": None, "inner": inner, "empty": pv.PolyData(),
+                           "d": made("floats")})
     whole.field_data["survey"] = [7]
     return whole
 
@@ -147,7 +148,8 @@ IGNORING = {"non_finite": "ignore"}, {"SetNonFinitePoints": [vtkFFAlgorithm.NON_
 HIDDEN = {"return_hidden_points": True}, {}
 PLANES = {
     "xy": ({}, {}),
-    "fitted": ({"projection_plane_mode": "best_fitting_plane"}, {"SetProjectionPlaneMode": [vtkFFPowerDiagramFilter.BEST_FITTING_PLANE]}),
+    "fitted": ({"projection_plane_mode": "best_fitting_plane"},
+               {"SetProjectionPlaneMode": [vtkFFPowerDiagramFilter.BEST_FITTING_PLANE]}),
     "turned": ({"transform": TRANSFORM}, {"SetTransform": [transform()]}),
 }
 
@@ -161,7 +163,8 @@ def weighted(name, radii=False, factor=1.0):
 HULLS = {
     "triangles": [],
     "polygons": [POLYGONS],
-    "bare": [({"skip_ghost_points": False, "pass_point_data": False}, {"SetSkipGhostPoints": [0], "SetPassPointData": [0]})],
+    "bare": [({"skip_ghost_points": False, "pass_point_data": False},
+              {"SetSkipGhostPoints": [0], "SetPassPointData": [0]})],
     "of all": [({"composite_mode": "all_blocks"}, {"SetCompositeMode": [vtkFFHullFilter.HULL_OF_ALL_BLOCKS]})],
 }
 PLANAR = {"plain": [], "weights": [weighted("weight")]}
@@ -174,7 +177,8 @@ for limit in (1e-9, 0.05, 2.0**0.5, 30.0, np.inf):
     TRIANGULATIONS[f"edges {limit}"] = [({"maximum_edge_length": limit}, {"SetMaximumEdgeLength": [limit]})]
     TRIANGULATIONS[f"alpha {limit}"] = [weighted("weight"), ({"alpha": limit}, {"SetAlpha": [limit]})]
 TRIANGULATIONS["edges of polygons"] = [POLYGONS, *TRIANGULATIONS["edges 0.05"]]
-DIAGRAMS = {"box": [weighted("weight"), ({"box": (-0.25, 0.5, 0.125, 2)}, {"SetPowerDiagramBounds": [-0.25, 0.5, 0.125, 2]})]}
+DIAGRAMS = {"box": [weighted("weight"),
+                    ({"box": (-0.25, 0.5, 0.125, 2)}, {"SetPowerDiagramBounds": [-0.25, 0.5, 0.125, 2]})]}
 
 
 def joined(*rows):
@@ -229,7 +233,8 @@ def test_images(name, mode, method):
         expected = pv.wrap(filter_.GetOutput())
         for array in (None, "f4", "u2"):
             found = to_image(mesh, array, spacing=step, bounds=(x0, x1, y0, y1), method=method)
-            assert (found.dimensions, found.origin, found.spacing) == (expected.dimensions, expected.origin, expected.spacing)
+            assert (found.dimensions, found.origin, found.spacing) == (expected.dimensions, expected.origin,
+                                                                       expected.spacing)
             values = found[array or "Elevation"]
             assert np.array_equal(values, expected[array or "Elevation"].astype(values.dtype), equal_nan=True), array
             assert not np.isnan(values).all()
@@ -255,7 +260,8 @@ def test_lines_with_points_of_their_own(name):
         types = (mesh.GetPointData().GetAbstractArray(array).GetDataType() for mesh in (found, expected))
         assert len(set(types)) == 1, array  # PyVista calls its own flags bool
         rows = found["PointOrigin"] < 2 if array not in ("PointOrigin", "HeightRange") else slice(None)
-        assert np.array_equal(found[array][rows], expected[array][rows], equal_nan=found[array].dtype.kind == "f"), array
+        assert np.array_equal(found[array][rows], expected[array][rows],
+                              equal_nan=found[array].dtype.kind == "f"), array
     crossing = found["PointOrigin"] == 2
     assert crossing.sum() == algorithm.GetNumberOfSplitPoints() > 0
     assert found["f8"][crossing] == pytest.approx(expected["f8"][crossing], nan_ok=True)

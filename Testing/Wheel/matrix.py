@@ -5,8 +5,8 @@
 
     matrix.py [--pythons PYTHON,...] [--only WORD] [--work FOLDER] WHEEL...
 
-Of the wheels, pip takes the one that fits a Python. An environment that the package index has no files for is told as
-such, with pip's reason. Documentation/Install.md sums up the table that is printed. The exit code is 1 if a test failed.
+Of the wheels, pip takes the one that fits a Python. An environment that the package index has no files for is named
+so, with pip's reason. Documentation/Install.md sums up the table that is printed. The exit code is 1 if a test fails.
 """
 
 import argparse

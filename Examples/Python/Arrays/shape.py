@@ -14,7 +14,8 @@ points = np.vstack([outside, hole, line, scattered])
 
 # Polygons and constraints are ids: rows of points.
 shape = regular_triangulation(points, polygons=[[0, 1, 2, 3], [4, 5, 6, 7]], constraints=[[8, 9, 10]])
-print(f"{len(shape.simplices)} triangles, area {shape.areas.sum():.6f}; {shape.dropped} triangles of the hole were left out")
+area = shape.areas.sum()
+print(f"{len(shape.simplices)} triangles, area {area:.6f}; {shape.dropped} triangles of the hole were left out")
 assert abs(shape.areas.sum() - 15) < 1e-12
 print(f"{len(shape.fixed_edges)} edges are sides or parts of the line")
 assert shape.validate()

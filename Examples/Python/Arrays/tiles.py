@@ -26,8 +26,9 @@ with tempfile.TemporaryDirectory() as folder:
     with np.load(found.files[0]) as block:
         corners = block["points"][block["simplices"]]
         own = (block["blocks"] == 0).sum()
-        print(f"{found.files[0].name} has {len(corners)} triangles of {own} own points and {len(block['ids']) - own} of others")
-        print(f"the first triangle has the points {block['ids'][block['simplices'][0]]}, at {corners[0].round(2).tolist()}")
+        others, first = len(block["ids"]) - own, block["ids"][block["simplices"][0]]
+        print(f"{found.files[0].name} has {len(corners)} triangles of {own} own points and {others} of others")
+        print(f"the first triangle has the points {first}, at {corners[0].round(2).tolist()}")
         print(f"intensities there: {block['intensity'][block['simplices'][0]]}")
 
     hull = stream(sorted(survey.glob("*.npz")), Path(folder, "hull"), kind="hull", facets="polygons")

@@ -43,7 +43,8 @@ CASES = [
     ("atom.global.exch.b32 %r1, [%rd9], 1; ld.global.u32 %r1, [%rd9];", "%r1", 1),
 ]
 REFUSED = [
-    "fma.rn.f64 %fd1, %fd1, %fd2, %fd1;",     "sin.approx.f32 %r1, %r2;", "add.rz.f64 %fd1, %fd1, %fd2;", "add.f64 %fd1, %fd1, %fd2;", "bar.sync 1;",
+    "fma.rn.f64 %fd1, %fd1, %fd2, %fd1;",     "sin.approx.f32 %r1, %r2;", "add.rz.f64 %fd1, %fd1, %fd2;",
+    "add.f64 %fd1, %fd1, %fd2;", "bar.sync 1;",
     "mov.u32 %r1, %clock;", "ld.shared.u32 %r1, [%r2];", "add.s32 %r1, %r2;", "mov.u32 %r1, %fd1;",
     "cvt.rz.f32.f64 %r1, %fd1;", "call.uni nowhere;", ".shared .b8 memory[4];",
 ]  # fmt: skip
@@ -97,7 +98,8 @@ class TestPtxToCxx(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         (self.folder / "main.cxx").write_text(MAIN % (self.folder / "out.cxx", len(CASES)))
         flags = ["-std=c++17", "-O1", "-w", "-ffp-contract=off", "-DPTX_GLOBAL_BEGIN=0", "-DPTX_GLOBAL_END=~0ull"]
-        done = run(os.environ.get("CXX", "g++"), *flags, self.folder / "main.cxx", "-o", self.folder / "main", "-pthread")
+        done = run(os.environ.get("CXX", "g++"), *flags, self.folder / "main.cxx", "-o", self.folder / "main",
+                   "-pthread")
         self.assertEqual(done.returncode, 0, done.stderr)
         found = run(self.folder / "main").stdout.split()
         self.assertEqual(len(found), len(CASES))

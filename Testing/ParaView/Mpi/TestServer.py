@@ -22,7 +22,8 @@ import ranks
 
 PLUGIN = os.path.join(os.environ["PV_PLUGIN_PATH"], "FlipFlop.so")
 INFORMATION = ("Dimension", "NumberOfInputPoints", "NumberOfNonFinitePoints")
-GOOD = ("Ball", "LatticePolygons", "LastRankOnly", "Blocks", "BlocksAsOne", "RealSpread", "Delaunay", "Regular", "Disks")
+GOOD = ("Ball", "LatticePolygons", "LastRankOnly", "Blocks", "BlocksAsOne", "RealSpread", "Delaunay", "Regular",
+        "Disks")
 BAD = ("Nan", "NanInTriangulation", "SomeWeights", "NoWeights")
 
 

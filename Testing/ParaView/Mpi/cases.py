@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pipelines that run over ranks: a source of distributed data, a filter of the plugin, its settings. What the filters
+"""The pipelines that run over ranks: a source of distributed data, a filter of the plugin, settings. What the filters
 make of such data the C++ tests hold (Testing/Cxx/Mpi); these connect them with ParaView's proxies."""
 
 from typing import NamedTuple
