@@ -24,15 +24,8 @@ if [ "${1:-}" = --fix ]; then
   exit 0
 fi
 
-wrong=0
-for file in "${files[@]}"; do
-  if ! "$tool" "$file" | cmp -s - "$file"; then
-    echo "not formatted: $file"
-    wrong=$((wrong + 1))
-  fi
-done
-if [ "$wrong" -gt 0 ]; then
-  echo "$wrong of ${#files[@]} files; Scripts/check-format.sh --fix mends them" >&2
+if ! printf '%s\0' "${files[@]}" | xargs -0 -n 20 -P "$(nproc)" "$tool" --dry-run --Werror; then
+  echo "Scripts/check-format.sh --fix mends them" >&2
   exit 1
 fi
 echo "Formatting: ${#files[@]} files are as clang-format $wanted writes them"
