@@ -65,7 +65,7 @@ errors_of() {
   if grep -q '^FAILED: ' "$1"; then
     sed -n '/^FAILED: /,$p' "$1" | grep -v '^\[[0-9]*/[0-9]*\]' | cut -c1-300 | head -n 40
   elif grep -qE '\*\*\*|^\[  FAILED  \]|^FAIL' "$1"; then
-    grep -E '\*\*\*|^\[  FAILED  \]|^(FAIL|ERROR|FAILED): |: not so: ' "$1" | head -n 40
+    grep -E '\*\*\*|^\[  FAILED  \]|^(FAIL|ERROR|FAILED): |: not so: |: Failure$|^Expected: |^E  ' "$1" | head -n 40
   else
     tail -n 20 "$1"
   fi
