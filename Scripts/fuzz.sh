@@ -20,6 +20,7 @@ shift 2
 [[ "$entry" =~ ^(Engine|Filters)$ && "$what" =~ ^([0-9]+|minimise)$ ]] || usage
 
 "$top/Scripts/install-dependencies.sh" fuzz
+use_ccache
 build="$top/build/fuzz"
 say "Build: preset fuzz in $build"
 (cd "$top" && cmake --preset fuzz)

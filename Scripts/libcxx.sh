@@ -8,6 +8,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 "$top/Scripts/install-dependencies.sh" test libcxx
+use_ccache
 build="$top/build/libcxx"
 mkdir -p "$build"
 (cd "$top" && cmake --preset clang -B "$build" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON) \

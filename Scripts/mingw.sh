@@ -9,6 +9,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 "$top/Scripts/install-dependencies.sh" test mingw
+use_ccache
 root="$top/build/mingw-root"
 sources="$top/build/mingw-sources"
 mkdir -p "$root/include" "$root/lib/cmake/CGAL" "$sources"

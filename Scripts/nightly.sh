@@ -29,6 +29,7 @@ done
 
 trap conclude EXIT
 "$top/Scripts/install-dependencies.sh" test
+use_ccache
 [ -n "${DISPLAY:-}" ] || start_display
 for part in "${parts[@]}"; do
   begin "Nightly: $part"
