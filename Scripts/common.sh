@@ -71,7 +71,9 @@ errors_of() {
   fi
 }
 
-# On the way out of a script: the time of each phase, and last the verdict.
+# On the way out of a script: the time of each phase, and last the verdict. A signal is a failure.
+trap 'exit 130' INT
+trap 'exit 143' TERM
 conclude() {
   local status=$? failed=${phase:-}
   stop_display
