@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFAlgorithm.h"
 
+#include "FFBlocks.h"
+#include "FFRun.h"
 #include "vtkFFErrorCode.h"
-#include "vtkFFRun.h"
 
 #include <flipflop/Engines.h>
 
+#include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
 
 #include <atomic>
@@ -38,9 +41,20 @@ vtkFFAlgorithm::~vtkFFAlgorithm()
 }
 
 //------------------------------------------------------------------------------
-int vtkFFAlgorithm::FillInputPortInformation(int, vtkInformation* info)
+int vtkFFAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  FFBlocks::AcceptWhole(info);
+  if (port > 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFAlgorithm::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject"); // or a composite
   return 1;
 }
 
@@ -48,32 +62,35 @@ int vtkFFAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 vtkTypeBool vtkFFAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // The executive's first request of each run, also of one that has no data set to work on.
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()) &&
-    vtkFFRun::FindDataSet(this, inputVector, this->DataSet, this->NumberOfDataSets))
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
-    this->ForgetReport();
+    return FFBlocks::MakeOutputs(
+      this, this->GetResultType(), this->IsJoined(), inputVector, outputVector);
+  }
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()))
+  {
+    // The executive's first request of each run, also of one that is aborted before RequestData().
+    this->Report = vtkFFReport();
+    this->SetErrorCode(vtkFFErrorCode::NoError);
   }
   return this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::ForgetReport()
+int vtkFFAlgorithm::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->SetErrorCode(vtkFFErrorCode::NoError);
-  this->IsAborted = false;
-  this->EngineUsed = ENGINE_NONE;
-  this->EngineReason = "no engine has run";
-  this->Dimension = -1;
-  this->NumberOfInputPoints = 0;
-  this->NumberOfNonFinitePoints = 0;
+  FFRun run(this, this->GetTitle());
+  return FFBlocks::Run(run, this->GetResultType(), this->IsConcurrent(), inputVector, outputVector,
+    [&](vtkDataObject* data, const FFBlocks::Results& results, FFRun& own)
+    { this->Execute(data, inputVector, results, own); });
 }
 
 //------------------------------------------------------------------------------
-void vtkFFAlgorithm::Modified()
+vtkDataObject* vtkFFAlgorithm::GetSecondInput()
 {
-  this->ResultTime.Modified();
-  this->OutputModified();
+  return this->GetNumberOfInputConnections(1) > 0 ? this->GetExecutive()->GetInputData(1, 0)
+                                                  : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -97,7 +114,8 @@ const char* vtkFFAlgorithm::GetCUDAProblem()
 //------------------------------------------------------------------------------
 const char* vtkFFAlgorithm::GetEngineUsedAsString()
 {
-  return this->EngineUsed == ENGINE_CUDA ? "CUDA" : this->EngineUsed == ENGINE_CPU ? "CPU" : "None";
+  const int used = this->Report.EngineUsed;
+  return used == ENGINE_CUDA ? "CUDA" : used == ENGINE_CPU ? "CPU" : "None";
 }
 
 //------------------------------------------------------------------------------
@@ -115,10 +133,5 @@ void vtkFFAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VisiblePointIds: " << onOff(this->VisiblePointIds) << "\n";
   os << indent << "ReportAsFieldData: " << onOff(this->ReportAsFieldData) << "\n";
   os << indent << "VBiased: " << onOff(this->VBiased) << "\n";
-  os << indent << "EngineUsed: " << this->GetEngineUsedAsString() << "\n";
-  os << indent << "EngineReason: " << this->EngineReason << "\n";
-  os << indent << "Dimension: " << this->Dimension << "\n";
-  os << indent << "NumberOfInputPoints: " << this->NumberOfInputPoints << "\n";
-  os << indent << "NumberOfNonFinitePoints: " << this->NumberOfNonFinitePoints << "\n";
 }
 VTK_ABI_NAMESPACE_END

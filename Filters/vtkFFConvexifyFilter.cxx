@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFConvexifyFilter.h"
 
-#include "vtkFFHullResult.h"
-#include "vtkFFInput.h"
-#include "vtkFFOutput.h"
-#include "vtkFFRun.h"
-#include "vtkFFSurfaceCells.h"
+#include "FFHullResult.h"
+#include "FFInput.h"
+#include "FFOutput.h"
+#include "FFRun.h"
+#include "FFSurfaceCells.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
@@ -34,7 +34,7 @@ void checkKernel(const double* kernel)
     std::ostringstream message;
     message << "The kernel point (" << kernel[0] << ", " << kernel[1] << ", " << kernel[2]
             << ") is not finite.";
-    throw vtkFFBadSetting(message.str());
+    throw FFBadSetting(message.str());
   }
 }
 
@@ -45,13 +45,6 @@ vtkFFConvexifyFilter::vtkFFConvexifyFilter() = default;
 
 //------------------------------------------------------------------------------
 vtkFFConvexifyFilter::~vtkFFConvexifyFilter() = default;
-
-//------------------------------------------------------------------------------
-int vtkFFConvexifyFilter::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  return 1;
-}
 
 //------------------------------------------------------------------------------
 void vtkFFConvexifyFilter::SetEngine(int engine)
@@ -84,39 +77,28 @@ void vtkFFConvexifyFilter::StoreKernelPoint(double x, double y, double z)
 }
 
 //------------------------------------------------------------------------------
-int vtkFFConvexifyFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkFFConvexifyFilter::Execute(vtkDataObject* data, vtkInformationVector**,
+  const std::vector<vtkDataObject*>& results, FFRun& run)
 {
-  vtkFFRun run(this, "Convexify", outputVector);
   run.NonFiniteAdvice = "They are corners of the surface, which has to be mended.";
   run.Options.facets = flipflop::FacetMode::Polygons; // see WriteHull()
-  run.Report.used = flipflop::EngineChoice::CPU;
-  std::snprintf(run.Report.reason, sizeof(run.Report.reason), "%s",
-    this->Engine == ENGINE_CPU ? "the CPU engine was asked for" : "this filter runs on the CPU");
-  run.Do(
-    [&]
-    {
-      const double* const kernel = this->UseKernelPoint ? this->KernelPoint : nullptr;
-      checkKernel(kernel);
-      vtkPolyData* const surface =
-        vtkFFSurfaceCells::SurfaceOf(vtkDataObject::GetData(inputVector[0]), run.OfWhat());
-      vtkFFInput input;
-      input.Take(vtkFFInput::PiecesOf(surface), false, run);
-      const vtkFFSurfaceCells cells(surface, input.GetView(), run.Options);
-      vtkFFHullResult result;
-      result.Engine = run.Report;
-      if (cells.GetView().count > 0)
-      {
-        result.Hull = cells.FlipFlop(input.GetView(), kernel, run.Options);
-      }
-      vtkFFOutput::Adopt(result.Hull, input.GetPoints(),
-        this->PassPointData ? input.GetPointData() : std::vector<vtkFFOutput::Source>(),
-        result.Data);
-      vtkPolyData* const output = vtkPolyData::GetData(outputVector);
-      this->WriteHull(result, run, output);
-      this->ReportHull(result, run, output);
-    });
-  return run.Finish();
+  run.UseCPU("this filter runs on the CPU");
+  const double* const kernel = this->UseKernelPoint ? this->KernelPoint : nullptr;
+  checkKernel(kernel);
+  vtkPolyData* const surface = FFSurfaceCells::SurfaceOf(data, run.OfWhat());
+  FFInput input;
+  input.Take(FFBlocks::PiecesOf(surface), false, run);
+  const FFSurfaceCells cells(surface, input.GetView(), run.Options);
+  FFHullResult hull;
+  hull.Data = vtkPolyData::SafeDownCast(results[0]);
+  hull.Engine = run.EngineReport;
+  if (cells.GetView().count > 0)
+  {
+    hull.Hull = cells.FlipFlop(input.GetView(), kernel, run.Options);
+  }
+  FFOutput::Adopt(hull.Hull, input.GetPoints(),
+    this->PassPointData ? input.GetPointData() : std::vector<FFOutput::Source>(), hull.Data);
+  this->WriteHull(hull, hull.Data, run);
 }
 
 //------------------------------------------------------------------------------

@@ -49,21 +49,21 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFConvexifyFilter : public vtkFFHullAlgorithm
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFConvexifyFilter* New();
   vtkTypeMacro(vtkFFConvexifyFilter, vtkFFHullAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
   /**
    * Set the engine: ENGINE_AUTOMATIC or ENGINE_CPU, to which ENGINE_CUDA is clamped.
    */
   void SetEngine(int engine) override;
 
-  //@{
+  ///@{
   /**
    * Set/Get the kernel point, which strictly sees the inside of every triangle. (0, 0, 0) by
    * default. SetKernelPoint() also turns UseKernelPoint on; you can turn it off later.
@@ -75,9 +75,9 @@ public:
   virtual void SetKernelPoint(const double point[3]);
   void StoreKernelPoint(double x, double y, double z);
   vtkGetVector3Macro(KernelPoint, double);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether KernelPoint is used. Off by default: the filter searches for a kernel point.
    * SetKernelPoint() turns it on.
@@ -85,15 +85,15 @@ public:
   vtkSetMacro(UseKernelPoint, bool);
   vtkGetMacro(UseKernelPoint, bool);
   vtkBooleanMacro(UseKernelPoint, bool);
-  //@}
+  ///@}
 
 protected:
   vtkFFConvexifyFilter();
   ~vtkFFConvexifyFilter() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(vtkDataObject* data, vtkInformationVector** inputVector,
+    const std::vector<vtkDataObject*>& results, FFRun& run) override;
+  const char* GetTitle() const override { return "Convexify"; }
 
   double KernelPoint[3] = { 0.0, 0.0, 0.0 };
   bool UseKernelPoint = false;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFHullAlgorithm.h"
 
-#include "vtkFFHullResult.h"
-#include "vtkFFOutput.h"
-#include "vtkFFPointSource.h"
-#include "vtkFFRun.h"
+#include "FFHullResult.h"
+#include "FFOutput.h"
+#include "FFPointSource.h"
+#include "FFRun.h"
 
 #include <flipflop/HullQueries.h>
 
@@ -30,7 +30,7 @@ namespace
 {
 
 /// Adds the array BlockIndex to the hull of the points of a composite.
-void addBlockIndex(const std::vector<vtkFFRun::PartType>& parts, vtkPolyData* hull)
+void addBlockIndex(const std::vector<FFRun::PartType>& parts, vtkPolyData* hull)
 {
   auto* ids = vtkIdTypeArray::SafeDownCast(hull->GetPointData()->GetArray("vtkOriginalPointIds"));
   const vtkIdType count = hull->GetNumberOfPoints();
@@ -57,7 +57,7 @@ void setPlanes(vtkPolyData* output, const flipflop::Options& options, vtkPlanes*
   hull.dimension = 3;
   hull.pointIds.allocate(static_cast<std::size_t>(output->GetNumberOfPoints()));
   std::iota(hull.pointIds.begin(), hull.pointIds.end(), std::int64_t(0));
-  vtkFFOutput::CopyCells(output->GetPolys(), hull);
+  FFOutput::CopyCells(output->GetPolys(), hull);
   const vtkIdType count = output->GetNumberOfPolys();
   vtkNew<vtkPoints> positions;
   positions->SetDataTypeToDouble();
@@ -68,7 +68,7 @@ void setPlanes(vtkPolyData* output, const flipflop::Options& options, vtkPlanes*
     positions->SetPoint(i, output->GetPoint(hull.connectivity[static_cast<std::size_t>(begin)]));
   }
 
-  const vtkFFPointSource points(output->GetPoints()->GetData());
+  const FFPointSource points(output->GetPoints()->GetData());
   const flipflop::Buffer<double> found = flipflop::facetPlanes(points.GetView(), hull, options);
   vtkNew<vtkDoubleArray> normals;
   normals->SetNumberOfComponents(3);
@@ -90,65 +90,42 @@ vtkFFHullAlgorithm::vtkFFHullAlgorithm() = default;
 vtkFFHullAlgorithm::~vtkFFHullAlgorithm() = default;
 
 //------------------------------------------------------------------------------
-void vtkFFHullAlgorithm::ForgetReport()
+void vtkFFHullAlgorithm::WriteHull(const FFHullResult& hull, vtkPolyData* output, FFRun& run) const
 {
-  this->Superclass::ForgetReport();
-  this->Volume = 0.0;
-  this->Area = 0.0;
-}
-
-//------------------------------------------------------------------------------
-void vtkFFHullAlgorithm::WriteHull(
-  const vtkFFHullResult& hull, const vtkFFRun& run, vtkPolyData* output) const
-{
-  vtkSmartPointer<vtkPolyData> data = hull.Data;
-  if (hull.IsKept) // and must not change when somebody changes the output in place
+  if (output != hull.Data)
   {
-    data = vtkSmartPointer<vtkPolyData>::New();
-    data->DeepCopy(hull.Data);
-  }
-  if (output != data)
-  {
-    output->CopyStructure(data);
-    output->GetPointData()->ShallowCopy(data->GetPointData());
+    output->CopyStructure(hull.Data);
+    output->GetPointData()->ShallowCopy(hull.Data->GetPointData());
   }
   if (this->FacetMode == FACETS_AS_TRIANGLES)
   {
-    vtkFFOutput::FanPolygons(output);
-  }
-  if (!this->PassPointData)
-  {
-    vtkFFOutput::DropPassedData(output->GetPointData());
+    FFOutput::FanPolygons(output);
   }
   if (this->VisiblePointIds)
   {
-    vtkFFOutput::ShowIds(output->GetPointData());
+    FFOutput::ShowIds(output->GetPointData());
   }
   if (!run.Parts.empty())
   {
     addBlockIndex(run.Parts, output);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkFFHullAlgorithm::ReportHull(const vtkFFHullResult& hull, vtkFFRun& run, vtkPolyData* output)
-{
-  run.Report = hull.Engine;
+  run.EngineReport = hull.Engine;
   run.AddToReport(hull.Hull, output);
-  this->Volume += hull.Hull.volume;
-  this->Area += hull.Hull.area;
+  run.Report.Volume = hull.Hull.volume;
+  run.Report.Area = hull.Hull.area;
   if (this->ReportAsFieldData)
   {
-    vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopVolume", hull.Hull.volume);
-    vtkFFOutput::AddValue(output->GetFieldData(), "FlipFlopArea", hull.Hull.area);
+    FFOutput::AddValue(output->GetFieldData(), "FlipFlopVolume", hull.Hull.volume);
+    FFOutput::AddValue(output->GetFieldData(), "FlipFlopArea", hull.Hull.area);
   }
 }
 
 //------------------------------------------------------------------------------
 bool vtkFFHullAlgorithm::GetPlanes(vtkPlanes* planes)
 {
-  vtkFFRun run(this, "Planes", nullptr);
-  run.Options.progress = nullptr; // the filter's own run is over
+  FFRun run(this, "Planes", this->GetNumberOfThreads(), // the filter's own run is over
+    [this](const vtkFFReport&, unsigned long code) { this->SetErrorCode(code); });
+  run.Options.progress = nullptr;
   run.Options.step = nullptr;
   run.Do(
     [&]
@@ -176,15 +153,7 @@ bool vtkFFHullAlgorithm::GetPlanes(vtkPlanes* planes)
       }
       setPlanes(hull, run.Options, planes);
     });
-  run.Finish();
+  run.Finish({});
   return !run.Failure;
-}
-
-//------------------------------------------------------------------------------
-void vtkFFHullAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Volume: " << this->Volume << "\n";
-  os << indent << "Area: " << this->Area << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -20,29 +20,27 @@
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkFFRun;
-struct vtkFFHullResult;
+struct FFHullResult;
 class vtkPlanes;
 
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFHullAlgorithm : public vtkFFAlgorithm
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for type information and printing.
    */
   vtkAbstractTypeMacro(vtkFFHullAlgorithm, vtkFFAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Get the volume of the last run's result (0 below dimension 3), and the area of its surface (of
    * the polygon, once, in dimension 2; 0 below). For several blocks with a result each: the sums.
    */
-  vtkGetMacro(Volume, double);
-  vtkGetMacro(Area, double);
-  //@}
+  double GetVolume() { return this->Report.Volume; }
+  double GetArea() { return this->Report.Area; }
+  ///@}
 
   /**
    * Give @p planes the planes of the last output's cells, in the cells' order: the first corner of
@@ -62,25 +60,15 @@ protected:
   vtkFFHullAlgorithm();
   ~vtkFFHullAlgorithm() override;
 
-  void ForgetReport() override;
-
   /**
-   * The hull, whose facets are polygons, becomes the output, which may be its data. Several threads
-   * can call this at the same time, for outputs of their own.
+   * The hull, whose facets are polygons, becomes the output, which may be its data, and part of the
+   * report. Threads may call this at the same time.
    */
-  void WriteHull(const vtkFFHullResult& hull, const vtkFFRun& run, vtkPolyData* output) const;
-
-  /**
-   * Add the hull to what the filter reports of its last run.
-   */
-  void ReportHull(const vtkFFHullResult& hull, vtkFFRun& run, vtkPolyData* output);
+  void WriteHull(const FFHullResult& hull, vtkPolyData* output, FFRun& run) const;
 
 private:
   vtkFFHullAlgorithm(const vtkFFHullAlgorithm&) = delete;
   void operator=(const vtkFFHullAlgorithm&) = delete;
-
-  double Volume = 0.0;
-  double Area = 0.0;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -37,7 +37,11 @@ void vtkFFPlanarAlgorithm::StoreTransform(vtkAbstractTransform* transform)
   {
     this->Transform->UnRegister(this);
   }
-  this->ChangeOutput(this->Transform, transform);
+  if (this->Transform != transform)
+  {
+    this->Transform = transform;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -45,14 +49,6 @@ vtkMTimeType vtkFFPlanarAlgorithm::GetMTime()
 {
   const vtkMTimeType own = this->Superclass::GetMTime();
   return this->Transform ? std::max(own, this->Transform->GetMTime()) : own;
-}
-
-//------------------------------------------------------------------------------
-void vtkFFPlanarAlgorithm::ForgetReport()
-{
-  this->Superclass::ForgetReport();
-  this->NumberOfHiddenPoints = 0;
-  this->NumberOfDroppedCells = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -73,7 +69,5 @@ void vtkFFPlanarAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WeightMode: " << this->WeightMode << "\n";
   os << indent << "WeightFactor: " << this->WeightFactor << "\n";
   os << indent << "GenerateCellMeasures: " << (this->GenerateCellMeasures ? "On" : "Off") << "\n";
-  os << indent << "NumberOfHiddenPoints: " << this->NumberOfHiddenPoints << "\n";
-  os << indent << "NumberOfDroppedCells: " << this->NumberOfDroppedCells << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -23,7 +23,7 @@
  * or any coordinate is NaN or infinite, also z if z does not matter.
  *
  * @sa
- * vtkFFRegularTriangulationFilter vtkFFPowerDiagramFilter vtkFFConstrainedDelaunayFilter
+ * vtkFFRegularTriangulationFilter vtkFFPowerDiagramFilter
  */
 
 #ifndef vtkFFPlanarAlgorithm_h
@@ -39,13 +39,13 @@ class vtkAbstractTransform;
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPlanarAlgorithm : public vtkFFAlgorithm
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for type information and printing.
    */
   vtkAbstractTypeMacro(vtkFFPlanarAlgorithm, vtkFFAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
   /**
    * The plane in which points are triangulated. The values are those of vtkDelaunay2D.
@@ -69,7 +69,7 @@ public:
   // What sets a mode as well comes before that mode: VTK reads a state back in this order, so that
   // the mode is the one that was written.
 
-  //@{
+  ///@{
   /**
    * Set/Get the transform that takes the points to the XY plane. None by default. SetTransform()
    * with a transform also sets ProjectionPlaneMode to TRANSFORM_PLANE; you can set another mode
@@ -81,9 +81,9 @@ public:
   virtual void SetTransform(vtkAbstractTransform* transform);
   void StoreTransform(vtkAbstractTransform* transform);
   vtkGetObjectMacro(Transform, vtkAbstractTransform);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the plane in which the points are triangulated. The output's points keep their original
    * positions.
@@ -107,9 +107,15 @@ public:
    */
   vtkSetClampMacro(ProjectionPlaneMode, int, XY_PLANE, BEST_FITTING_PLANE);
   vtkGetMacro(ProjectionPlaneMode, int);
-  //@}
+  void SetProjectionPlaneModeToXYPlane() { this->SetProjectionPlaneMode(XY_PLANE); }
+  void SetProjectionPlaneModeToTransformPlane() { this->SetProjectionPlaneMode(TRANSFORM_PLANE); }
+  void SetProjectionPlaneModeToBestFittingPlane()
+  {
+    this->SetProjectionPlaneMode(BEST_FITTING_PLANE);
+  }
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get what the values of the weights' array are. Without an array, this does not matter.
    *
@@ -126,24 +132,23 @@ public:
    * A negative radius is an error that names the point. So is a weight that is too large for a
    * double, though the value is finite.
    */
-  virtual void SetWeightMode(int mode)
-  {
-    this->ChangeOutput(this->WeightMode, vtkMath::ClampValue<int>(mode, WEIGHTS, RADII));
-  }
+  vtkSetClampMacro(WeightMode, int, WEIGHTS, RADII);
   vtkGetMacro(WeightMode, int);
-  //@}
+  void SetWeightModeToWeights() { this->SetWeightMode(WEIGHTS); }
+  void SetWeightModeToRadii() { this->SetWeightMode(RADII); }
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the factor of all weights, or of all radii: see SetWeightMode(). 1 by default, with
    * which weights are taken as they are, and nothing is rounded. It may be negative or 0; NaN and
    * infinity are errors.
    */
-  virtual void SetWeightFactor(double value) { this->ChangeOutput(this->WeightFactor, value); }
+  vtkSetMacro(WeightFactor, double);
   vtkGetMacro(WeightFactor, double);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether the cells have two more cell arrays: Area (vtkDoubleArray) and Centroid
    * (vtkDoubleArray, a position in space). Off by default.
@@ -159,21 +164,19 @@ public:
    * rounding made concave, it is 2^-50 of the areas of the fan from the first corner. Arrays of the
    * input with these names are not passed to the power diagram's cells.
    */
-  virtual void SetGenerateCellMeasures(bool on)
-  {
-    this->ChangeOutput(this->GenerateCellMeasures, on);
-  }
+  vtkSetMacro(GenerateCellMeasures, bool);
   vtkGetMacro(GenerateCellMeasures, bool);
-  //@}
+  vtkBooleanMacro(GenerateCellMeasures, bool);
+  ///@}
 
-  //@{
+  ///@{
   /**
-   * Get the number of points that the last run found hidden (0 of constrained triangulations), and
-   * of the cells that it left out for the filter's settings; the sums for several blocks.
+   * Get the number of points that the last run found hidden and of the
+   * cells that it left out for the filter's settings; the sums for several blocks.
    */
-  vtkGetMacro(NumberOfHiddenPoints, vtkIdType);
-  vtkGetMacro(NumberOfDroppedCells, vtkIdType);
-  //@}
+  vtkIdType GetNumberOfHiddenPoints() { return this->Report.NumberOfHiddenPoints; }
+  vtkIdType GetNumberOfDroppedCells() { return this->Report.NumberOfDroppedCells; }
+  ///@}
 
   /**
    * The time of the last change, also of the transform.
@@ -184,21 +187,18 @@ protected:
   vtkFFPlanarAlgorithm();
   ~vtkFFPlanarAlgorithm() override;
 
-  void ForgetReport() override;
+  /// Nothing is known of threads in a transform that somebody else wrote.
+  bool IsConcurrent() const override { return this->ProjectionPlaneMode != TRANSFORM_PLANE; }
 
   int ProjectionPlaneMode = XY_PLANE;
   vtkAbstractTransform* Transform = nullptr;
   int WeightMode = WEIGHTS;
   double WeightFactor = 1.0;
   bool GenerateCellMeasures = false;
-  vtkIdType NumberOfHiddenPoints = 0;
-  vtkIdType NumberOfDroppedCells = 0;
 
 private:
   vtkFFPlanarAlgorithm(const vtkFFPlanarAlgorithm&) = delete;
   void operator=(const vtkFFPlanarAlgorithm&) = delete;
-
-  friend class vtkFFPlanarInput; // sets the numbers
 };
 VTK_ABI_NAMESPACE_END
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFPointInterpolator2D.h"
 
-#include "vtkFFInput.h"
-#include "vtkFFInterpolatedData.h"
-#include "vtkFFOutput.h"
-#include "vtkFFPointSource.h"
-#include "vtkFFRun.h"
-#include "vtkFFStamp.h"
-#include "vtkFFWeightSource.h"
+#include "FFBlocks.h"
+#include "FFInput.h"
+#include "FFInterpolatedData.h"
+#include "FFOutput.h"
+#include "FFPointSource.h"
+#include "FFRun.h"
+#include "FFWeightSource.h"
 
 #include <flipflop/RegularTriangulation.h>
 #include <flipflop/TriangulationQueries.h>
@@ -47,39 +47,15 @@ constexpr double shareOfPreparing = 0.4;
 
 }
 
-/// The triangulation of a source's points, ready for questions, with their values.
-struct vtkFFPreparedSource
+/// The triangulation of a source's points, ready for queries, with their values.
+struct FFPreparedSource
 {
-  vtkFFStamp Stamp;       // of the triangulation
-  vtkFFStamp WeightStamp; // how weights are computed
-  bool IsWeighted;        // else they are not
   int Dimension;
-  vtkFFInterpolatedData Data;
-  vtkFFStamp ValueStamp{}; // how values are chosen
+  FFInterpolatedData Data;
 };
 
 namespace
 {
-
-std::unique_ptr<vtkFFPreparedSource> triangulate(vtkFFPointInterpolator2D* filter,
-  const vtkFFStamp& stamp, const vtkFFStamp& weightStamp, vtkPointSet* source, vtkFFRun& run)
-{
-  vtkPoints* const positions = source->GetPoints();
-  const vtkFFPointSource points(positions ? positions->GetData() : nullptr);
-  const vtkFFWeightSource weights(
-    vtkFFWeightSource::FindArray(filter, source, run.OfWhat(), "source"),
-    flipflop::WeightRule{
-      filter->GetWeightMode() == vtkFFPointInterpolator2D::RADII, filter->GetWeightFactor() });
-  run.SetPart(0.0, shareOfTriangulation);
-  const flipflop::Triangulation triangulation =
-    flipflop::regularTriangulation(points.GetView(), weights.GetView(), run.Options);
-  run.SetPart(shareOfTriangulation, shareOfPreparing);
-  flipflop::TriangulationQueries queries(
-    points.GetView(), weights.GetView(), triangulation, run.Options);
-  return std::unique_ptr<vtkFFPreparedSource>(
-    new vtkFFPreparedSource{ stamp, weightStamp, weights.GetView().data != nullptr,
-      triangulation.dimension, vtkFFInterpolatedData(std::move(queries)) });
-}
 
 /// Where the pixels of an image's slices are. False: they are not along the axes, not finite, or
 /// none.
@@ -109,138 +85,90 @@ vtkFFPointInterpolator2D::vtkFFPointInterpolator2D() = default;
 vtkFFPointInterpolator2D::~vtkFFPointInterpolator2D() = default;
 
 //------------------------------------------------------------------------------
-void vtkFFPointInterpolator2D::SetSourceData(vtkDataObject* source)
-{
-  this->SetInputData(1, source);
-}
-
-//------------------------------------------------------------------------------
-void vtkFFPointInterpolator2D::SetSourceConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-vtkDataObject* vtkFFPointInterpolator2D::GetSource()
-{
-  return this->GetNumberOfInputConnections(1) > 0 ? this->GetExecutive()->GetInputData(1, 0)
-                                                  : nullptr;
-}
-
-//------------------------------------------------------------------------------
 void vtkFFPointInterpolator2D::AddExcludedArray(const char* name)
 {
   this->ExcludedArrays.emplace_back(name ? name : "");
-  this->OutputModified();
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkFFPointInterpolator2D::ClearExcludedArrays()
 {
   this->ExcludedArrays.clear();
-  this->OutputModified();
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------
-double vtkFFPointInterpolator2D::Prepare(vtkDataObject* data, vtkFFRun& run)
+double vtkFFPointInterpolator2D::Prepare(vtkDataObject* data, FFRun& run)
 {
-  const vtkFFStamp stamp(this, data);
-  vtkFFStamp weightStamp;
-  weightStamp.Add(this->WeightMode);
-  weightStamp.Add(this->WeightFactor);
-  vtkFFStamp valueStamp;
-  valueStamp.Add(this->InterpolateZ);
-  valueStamp.Add(this->ZArrayName);
-  for (const std::string& name : this->ExcludedArrays)
-  {
-    valueStamp.Add(name);
-  }
-  const bool isTriangulated = this->Prepared && this->Prepared->Stamp == stamp &&
-    (this->Prepared->WeightStamp == weightStamp ||
-      (!this->Prepared->IsWeighted && std::isfinite(this->WeightFactor)));
-  if (isTriangulated && this->Prepared->ValueStamp == valueStamp)
+  if (this->Prepared && this->IsPrepared(data))
   {
     return 0.0;
   }
+  this->Prepared.reset();
   run.NonFiniteWhat = "A coordinate or a weight";
-  vtkFFInput input;
-  input.Take(vtkFFInput::PiecesOf(data), this->SkipGhostPoints, run, " of the source");
+  FFInput input;
+  input.Take(FFBlocks::PiecesOf(data), this->SkipGhostPoints, run, " of the source");
   const std::vector<vtkPointSet*> pieces(input.GetPieces().begin(), input.GetPieces().end());
   vtkSmartPointer<vtkPointSet> source = vtkSmartPointer<vtkPolyData>::New();
   if (!pieces.empty())
   {
-    source = vtkFFOutput::Append(pieces);
+    source = FFOutput::Append(pieces);
   }
-  if (!isTriangulated)
-  {
-    this->Prepared.reset();
-    this->Prepared = triangulate(this, stamp, weightStamp, source, run);
-  }
-  this->Prepared->Data.SetValues(source, source->GetPointData(), this->ExcludedArrays,
+  vtkPoints* const positions = source->GetPoints();
+  const FFPointSource points(positions ? positions->GetData() : nullptr);
+  const FFWeightSource weights(FFWeightSource::FindArray(this, source, run.OfWhat(), "source"),
+    { this->WeightMode == RADII, this->WeightFactor });
+  run.SetPart(0.0, shareOfTriangulation);
+  const flipflop::Triangulation triangulation =
+    flipflop::regularTriangulation(points.GetView(), weights.GetView(), run.Options);
+  run.SetPart(shareOfTriangulation, shareOfPreparing);
+  flipflop::TriangulationQueries queries(
+    points.GetView(), weights.GetView(), triangulation, run.Options);
+  auto prepared = std::unique_ptr<FFPreparedSource>(
+    new FFPreparedSource{ triangulation.dimension, FFInterpolatedData(std::move(queries)) });
+  prepared->Data.SetValues(source, source->GetPointData(), this->ExcludedArrays,
     this->InterpolateZ ? this->ZArrayName.c_str() : nullptr);
-  this->Prepared->ValueStamp = valueStamp;
+  this->Prepared = std::move(prepared);
+  this->SetPrepared(data);
   run.NonFiniteWhat = "A coordinate";
-  run.Parts.clear(); // what errors are about from now on is the input
-  run.Ids.clear();
-  return isTriangulated ? 0.0 : shareOfPreparing;
+  return shareOfPreparing;
 }
 
 //------------------------------------------------------------------------------
-int vtkFFPointInterpolator2D::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkFFPointInterpolator2D::Execute(vtkDataObject* data, vtkDataSet* result, FFRun& run)
 {
-  vtkDataObject* const points = vtkDataObject::GetData(inputVector[0]);
-  vtkDataObject* const source = vtkDataObject::GetData(inputVector[1]);
-  vtkDataSet* const output = vtkDataSet::GetData(outputVector);
-  vtkFFRun run(this, "Point interpolation", outputVector);
-  if (this->IsSecondAtFault)
+  const FFInterpolatedData& prepared = this->Prepared->Data;
+  const FFInterpolatedData::NullsType nulls{ this->NullPointsStrategy, this->NullValue,
+    this->ValidPointsMaskArrayName };
+  FFInput input;
+  FFInterpolatedData::TargetsType targets;
+  flipflop::ImageGrid grid;
+  auto* const image = vtkImageData::SafeDownCast(data);
+  if (takeGrid(image, grid))
   {
-    output->Initialize();
-    return 1;
+    targets = prepared.GetTargets(grid, image->GetDimensions()[2], this->InterpolationMode, run);
   }
-  double progress = 0.0;
-  if (!run.Do([&] { progress = this->Prepare(source, run); }))
+  else
   {
-    this->IsSecondAtFault = true;
-    this->Prepared.reset();
+    input.Take(FFBlocks::PiecesOf(data), false, run);
+    targets = prepared.GetTargets(input.GetView(), this->InterpolationMode, run);
   }
-  run.Do(
-    [&]
+  const auto arrays = prepared.Interpolate(targets, nulls, run);
+  result->ShallowCopy(data);
+  const std::pair<bool, vtkFieldData*> passed[] = { { this->PassPointArrays,
+                                                      result->GetPointData() },
+    { this->PassCellArrays, result->GetCellData() },
+    { this->PassFieldArrays, result->GetFieldData() } };
+  for (const auto& one : passed)
+  {
+    if (!one.first)
     {
-      const vtkFFInterpolatedData& prepared = this->Prepared->Data;
-      const vtkFFInterpolatedData::NullsType nulls{ this->NullPointsStrategy, this->NullValue,
-        this->ValidPointsMaskArrayName };
-      vtkFFInput input;
-      vtkFFInterpolatedData::TargetsType targets;
-      flipflop::ImageGrid grid;
-      auto* const image = vtkImageData::SafeDownCast(points);
-      if (takeGrid(image, grid))
-      {
-        targets =
-          prepared.GetTargets(grid, image->GetDimensions()[2], this->InterpolationMode, run);
-      }
-      else
-      {
-        input.Take(vtkFFInput::PiecesOf(points), false, run);
-        targets = prepared.GetTargets(input.GetView(), this->InterpolationMode, run);
-      }
-      const auto arrays = prepared.Interpolate(targets, nulls, progress, run);
-      output->ShallowCopy(points);
-      vtkPointData* const data = output->GetPointData();
-      const std::pair<bool, vtkFieldData*> passed[] = { { this->PassPointArrays, data },
-        { this->PassCellArrays, output->GetCellData() },
-        { this->PassFieldArrays, output->GetFieldData() } };
-      for (const auto& one : passed)
-      {
-        if (!one.first)
-        {
-          one.second->Initialize();
-        }
-      }
-      prepared.AddArrays(arrays, nulls, data);
-      this->Dimension = this->Prepared->Dimension;
-    });
-  return run.Finish();
+      one.second->Initialize();
+    }
+  }
+  prepared.AddArrays(arrays, nulls, result->GetPointData());
+  run.Report.Dimension = this->Prepared->Dimension;
 }
 
 //------------------------------------------------------------------------------

@@ -64,21 +64,21 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;
 class vtkDataObject;
-class vtkFFRun;
-struct vtkFFPreparedSource;
+class FFRun;
+struct FFPreparedSource;
 
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPointInterpolator2D
   : public vtkFFQueryAlgorithm
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFPointInterpolator2D* New();
   vtkTypeMacro(vtkFFPointInterpolator2D, vtkFFQueryAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
   /**
    * How values are interpolated.
@@ -110,16 +110,16 @@ public:
     CLOSEST_POINT = 2
   };
 
-  //@{
+  ///@{
   /**
    * Set/Get the source (the input of port 1): points with point data.
    */
-  void SetSourceData(vtkDataObject* source);
-  void SetSourceConnection(vtkAlgorithmOutput* output);
-  vtkDataObject* GetSource();
-  //@}
+  void SetSourceData(vtkDataObject* source) { this->SetInputData(1, source); }
+  void SetSourceConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  vtkDataObject* GetSource() { return this->GetSecondInput(); }
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get how values are interpolated.
    *
@@ -133,29 +133,27 @@ public:
    *   and gradients are continuous. On smooth functions its error is the
    *   least; where values jump, it swings beyond them.
    */
-  virtual void SetInterpolationMode(int mode)
-  {
-    this->ChangeOutput(
-      this->InterpolationMode, vtkMath::ClampValue<int>(mode, LINEAR, CLOUGH_TOCHER));
-  }
+  vtkSetClampMacro(InterpolationMode, int, LINEAR, CLOUGH_TOCHER);
   vtkGetMacro(InterpolationMode, int);
-  //@}
+  void SetInterpolationModeToLinear() { this->SetInterpolationMode(LINEAR); }
+  void SetInterpolationModeToNaturalNeighbor() { this->SetInterpolationMode(NATURAL_NEIGHBOR); }
+  void SetInterpolationModeToCloughTocher() { this->SetInterpolationMode(CLOUGH_TOCHER); }
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get what the values of the weights' array are, WEIGHTS (the default) or RADII, and their
    * factor (1 by default), as for vtkFFPlanarAlgorithm. Without an array, they do not matter.
    */
-  virtual void SetWeightMode(int mode)
-  {
-    this->ChangeOutput(this->WeightMode, vtkMath::ClampValue<int>(mode, WEIGHTS, RADII));
-  }
+  vtkSetClampMacro(WeightMode, int, WEIGHTS, RADII);
   vtkGetMacro(WeightMode, int);
-  virtual void SetWeightFactor(double value) { this->ChangeOutput(this->WeightFactor, value); }
+  void SetWeightModeToWeights() { this->SetWeightMode(WEIGHTS); }
+  void SetWeightModeToRadii() { this->SetWeightMode(RADII); }
+  vtkSetMacro(WeightFactor, double);
   vtkGetMacro(WeightFactor, double);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get what null points get.
    *
@@ -166,66 +164,67 @@ public:
    *   weights, by power distance). Points have NullValue only if there
    *   is none, or if they are not finite.
    */
-  virtual void SetNullPointsStrategy(int mode)
-  {
-    this->ChangeOutput(
-      this->NullPointsStrategy, vtkMath::ClampValue<int>(mode, MASK_POINTS, CLOSEST_POINT));
-  }
+  vtkSetClampMacro(NullPointsStrategy, int, MASK_POINTS, CLOSEST_POINT);
   vtkGetMacro(NullPointsStrategy, int);
-  //@}
+  void SetNullPointsStrategyToMaskPoints() { this->SetNullPointsStrategy(MASK_POINTS); }
+  void SetNullPointsStrategyToNullValue() { this->SetNullPointsStrategy(NULL_VALUE); }
+  void SetNullPointsStrategyToClosestPoint() { this->SetNullPointsStrategy(CLOSEST_POINT); }
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the value of all components at null points (0 by default; NaN is possible), and the
    * name of the mask array ("vtkValidPointMask" by default).
    */
-  virtual void SetNullValue(double value) { this->ChangeOutput(this->NullValue, value); }
+  vtkSetMacro(NullValue, double);
   vtkGetMacro(NullValue, double);
-  virtual void SetValidPointsMaskArrayName(std::string name)
-  {
-    this->ChangeOutput(this->ValidPointsMaskArrayName, name);
-  }
+  vtkSetMacro(ValidPointsMaskArrayName, std::string);
   vtkGetMacro(ValidPointsMaskArrayName, std::string);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether the z of the source's points is interpolated, too (on by default), and the name
    * of its array ("Elevation" by default).
    */
-  virtual void SetInterpolateZ(bool on) { this->ChangeOutput(this->InterpolateZ, on); }
+  vtkSetMacro(InterpolateZ, bool);
   vtkGetMacro(InterpolateZ, bool);
-  virtual void SetZArrayName(std::string name) { this->ChangeOutput(this->ZArrayName, name); }
+  vtkBooleanMacro(InterpolateZ, bool);
+  vtkSetMacro(ZArrayName, std::string);
   vtkGetMacro(ZArrayName, std::string);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Name an array of the source that is not interpolated, or remove all such names.
    */
   void AddExcludedArray(const char* name);
   void ClearExcludedArrays();
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether the input's point data, cell data and field data are passed to the output. On
    * by default.
    */
-  virtual void SetPassPointArrays(bool on) { this->ChangeOutput(this->PassPointArrays, on); }
+  vtkSetMacro(PassPointArrays, bool);
   vtkGetMacro(PassPointArrays, bool);
-  virtual void SetPassCellArrays(bool on) { this->ChangeOutput(this->PassCellArrays, on); }
+  vtkBooleanMacro(PassPointArrays, bool);
+  vtkSetMacro(PassCellArrays, bool);
   vtkGetMacro(PassCellArrays, bool);
-  virtual void SetPassFieldArrays(bool on) { this->ChangeOutput(this->PassFieldArrays, on); }
+  vtkBooleanMacro(PassCellArrays, bool);
+  vtkSetMacro(PassFieldArrays, bool);
   vtkGetMacro(PassFieldArrays, bool);
-  //@}
+  vtkBooleanMacro(PassFieldArrays, bool);
+  ///@}
 
 protected:
   vtkFFPointInterpolator2D();
   ~vtkFFPointInterpolator2D() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  double Prepare(vtkDataObject* source, FFRun& run) override;
+  void Execute(vtkDataObject* data, vtkDataSet* result, FFRun& run) override;
+  const char* GetTitle() const override { return "Point interpolation"; }
 
   int InterpolationMode = LINEAR;
   int WeightMode = WEIGHTS;
@@ -244,10 +243,7 @@ private:
   vtkFFPointInterpolator2D(const vtkFFPointInterpolator2D&) = delete;
   void operator=(const vtkFFPointInterpolator2D&) = delete;
 
-  /// Unless it is there already. Returns the share of the progress that it took.
-  double Prepare(vtkDataObject* source, vtkFFRun& run);
-
-  std::unique_ptr<vtkFFPreparedSource> Prepared; ///< null: there is none
+  std::unique_ptr<FFPreparedSource> Prepared; ///< null: there is none
 };
 VTK_ABI_NAMESPACE_END
 

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFPointsToImage.h"
 
-#include "vtkFFConstraints.h"
-#include "vtkFFInput.h"
-#include "vtkFFInterpolatedData.h"
-#include "vtkFFKeptTriangulation.h"
-#include "vtkFFPlanarInput.h"
+#include "FFConstraints.h"
+#include "FFInput.h"
+#include "FFInterpolatedData.h"
+#include "FFPlanarInput.h"
+#include "FFRun.h"
 #include "vtkFFPointInterpolator2D.h"
-#include "vtkFFRun.h"
-#include "vtkFFStamp.h"
 
 #include <flipflop/Buffer.h>
 #include <flipflop/CellComplex.h>
@@ -67,23 +65,23 @@ void checkSettings(vtkFFPointsToImage* filter, bool hasSource)
   const bool isBySpacing = filter->GetSizeMode() == vtkFFPointsToImage::SIZE_BY_SPACING;
   if (!isBySpacing && (size[0] < 1 || size[1] < 1))
   {
-    throw vtkFFBadSetting("Dimensions are " + pairOf(size) + "; each must be 1 or more.");
+    throw FFBadSetting("Dimensions are " + pairOf(size) + "; each must be 1 or more.");
   }
   const auto isLength = [](double length) { return std::isfinite(length) && length > 0.0; };
   if (isBySpacing && !(isLength(spacing[0]) && isLength(spacing[1])))
   {
-    throw vtkFFBadSetting("Spacing is " + pairOf(spacing) + "; it must be above 0 and finite.");
+    throw FFBadSetting("Spacing is " + pairOf(spacing) + "; it must be above 0 and finite.");
   }
   if (!filter->GetUseInputBounds())
   {
-    vtkFFPlanarInput::CheckBox(filter->GetSamplingBounds(), "The image's box");
+    FFPlanarInput::CheckBox(filter->GetSamplingBounds(), "The image's box");
   }
   if (hasSource &&
     (filter->GetInterpolationMode() == vtkFFPointsToImage::NATURAL_NEIGHBOR ||
       filter->GetNullPointsStrategy() == vtkFFPointsToImage::CLOSEST_POINT))
   {
-    throw vtkFFBadSetting("Natural neighbours and closest points do not know breaklines. Choose "
-                          "another, or take the source away.");
+    throw FFBadSetting("Natural neighbours and closest points do not know breaklines. Choose "
+                       "another, or take the source away.");
   }
 }
 
@@ -109,7 +107,7 @@ flipflop::ImageGrid gridOf(vtkFFPointsToImage* filter, const Box& box)
         std::ostringstream message;
         message << "A Spacing of " << step << " makes too many pixels of a length of " << length
                 << ".";
-        throw vtkFFBadSetting(message.str());
+        throw FFBadSetting(message.str());
       }
       grid.size[k] = std::max<std::int64_t>(1, static_cast<std::int64_t>(count));
     }
@@ -118,7 +116,7 @@ flipflop::ImageGrid gridOf(vtkFFPointsToImage* filter, const Box& box)
       std::ostringstream message;
       message << "A length of " << length << " cannot be divided into " << grid.size[k]
               << " pixels.";
-      throw vtkFFBadSetting(message.str());
+      throw FFBadSetting(message.str());
     }
   }
   // Of whole pixels, the first row of an image is the lowest one; they begin at the top.
@@ -152,81 +150,50 @@ void setGeometry(const flipflop::ImageGrid& grid, const std::optional<flipflop::
   }
 }
 
-}
-
-/// Points that are triangulated and ready for queries, with their values.
-struct vtkFFPreparedPoints
+/// The triangulation of points, ready for queries; with breaklines, if there are some. It becomes
+/// part of the report.
+flipflop::TriangulationQueries queriesOf(const FFPlanarInput& input, vtkDataObject* data,
+  vtkPolyData* source, std::optional<Box>& bounds, vtkDataObject* output, FFRun& run)
 {
-  vtkFFStamp Stamp;            // of the triangulation
-  std::optional<Box> Bounds{}; // none: there is no point
-  std::int64_t Hidden = 0;
-  flipflop::CellComplex Report{}; // what is reported of the triangulation
-  flipflop::EngineReport Engine{};
-  std::optional<vtkFFInterpolatedData> Data{};
-  vtkFFStamp ValueStamp{}; // how values are chosen
-};
-
-namespace
-{
-
-/// The rest, once the queries are there.
-std::unique_ptr<vtkFFPreparedPoints> prepared(const vtkFFPlanarInput& input,
-  const flipflop::Triangulation& triangulation, flipflop::TriangulationQueries&& queries,
-  const vtkFFRun& run)
-{
-  auto points = std::make_unique<vtkFFPreparedPoints>();
-  if (triangulation.dimension >= 0)
-  {
-    points->Bounds = flipflop::powerDiagramBox(input.GetPlane(), triangulation);
-  }
-  points->Hidden = static_cast<std::int64_t>(triangulation.hiddenIds.size());
-  points->Report.dimension = triangulation.dimension;
-  points->Report.statistics = triangulation.statistics;
-  points->Engine = run.Report;
-  points->Data.emplace(std::move(queries));
-  return points;
-}
-
-std::unique_ptr<vtkFFPreparedPoints> triangulate(const vtkFFPlanarInput& input, vtkFFRun& run)
-{
-  const flipflop::Triangulation triangulation = flipflop::regularTriangulation(
-    input.GetPlane(), input.GetWeights(), run.Options, run.Engine, run.Report);
-  input.LookForVerticalPlane(triangulation);
-  run.SetPart(shareOfTriangulation, shareOfPreparing);
-  return prepared(input, triangulation,
-    flipflop::TriangulationQueries(
-      input.GetPlane(), input.GetWeights(), triangulation, run.Options),
-    run);
-}
-
-/// The same with breaklines.
-std::unique_ptr<vtkFFPreparedPoints> triangulate(
-  const vtkFFPlanarInput& input, vtkPolyData* source, vtkFFRun& run)
-{
-  run.UseCPU("constraints are the CPU's");
-  input.CheckUnweighted();
-  const std::optional<vtkFFConstraints> constraints(std::in_place, source,
-    vtkDataSet::SafeDownCast(input.GetData()), run.Ids, input.IsXYPlane() ? 2 : 3);
+  run.SetPart(0.0, shareOfTriangulation);
   flipflop::ConstrainedTriangulation triangulation;
   flipflop::Buffer<std::uint8_t> inside;
-  const auto work = [&]
+  if (source)
   {
-    const flipflop::ConstraintView view = constraints->GetView();
-    triangulation = flipflop::constrainedTriangulation(input.GetPlane(), view, run.Options);
-    if (view.sides > 0)
+    run.UseCPU("constraints are the CPU's");
+    input.CheckUnweighted();
+    const std::optional<FFConstraints> constraints(
+      std::in_place, source, vtkDataSet::SafeDownCast(data), run.Ids, input.IsXYPlane() ? 2 : 3);
+    const auto work = [&]
     {
-      inside.allocate(static_cast<std::size_t>(triangulation.cellCount()));
-      flipflop::cellsInside(triangulation, inside.data(), run.Options);
-    }
-  };
-  vtkFFConstraints::Do(constraints, run, work);
+      const flipflop::ConstraintView view = constraints->GetView();
+      triangulation = flipflop::constrainedTriangulation(input.GetPlane(), view, run.Options);
+      if (view.sides > 0)
+      {
+        inside.allocate(static_cast<std::size_t>(triangulation.cellCount()));
+        flipflop::cellsInside(triangulation, inside.data(), run.Options);
+      }
+    };
+    FFConstraints::Do(constraints, run, work);
+  }
+  else
+  {
+    static_cast<flipflop::Triangulation&>(triangulation) = flipflop::regularTriangulation(
+      input.GetPlane(), input.GetWeights(), run.Options, run.Engine, run.EngineReport);
+  }
   input.LookForVerticalPlane(triangulation);
+  if (triangulation.dimension >= 0)
+  {
+    bounds = flipflop::powerDiagramBox(input.GetPlane(), triangulation);
+  }
+  input.Report(
+    triangulation, static_cast<std::int64_t>(triangulation.hiddenIds.size()), std::nullopt, output);
   run.SetPart(shareOfTriangulation, shareOfPreparing);
-  return prepared(input, triangulation,
-    flipflop::TriangulationQueries(input.GetPlane(), triangulation, inside.data(), run.Options),
-    run);
+  return source
+    ? flipflop::TriangulationQueries(input.GetPlane(), triangulation, inside.data(), run.Options)
+    : flipflop::TriangulationQueries(
+        input.GetPlane(), input.GetWeights(), triangulation, run.Options);
 }
-
 }
 
 //------------------------------------------------------------------------------
@@ -249,95 +216,6 @@ vtkImageData* vtkFFPointsToImage::GetOutput()
 vtkImageData* vtkFFPointsToImage::GetOutput(int port)
 {
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(port));
-}
-
-//------------------------------------------------------------------------------
-void vtkFFPointsToImage::SetSourceData(vtkPolyData* source)
-{
-  this->SetInputData(1, source);
-}
-
-//------------------------------------------------------------------------------
-void vtkFFPointsToImage::SetSourceConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-vtkPolyData* vtkFFPointsToImage::GetSource()
-{
-  return this->GetNumberOfInputConnections(1) > 0
-    ? vtkPolyData::SafeDownCast(this->GetExecutive()->GetInputData(1, 0))
-    : nullptr;
-}
-
-//------------------------------------------------------------------------------
-template <class T>
-void vtkFFPointsToImage::ChangeNumbers(T* setting, const T* values, int count)
-{
-  if (!std::equal(values, values + count, setting))
-  {
-    std::copy_n(values, count, setting);
-    this->OutputModified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkFFPointsToImage::SetDimensions(int columns, int rows)
-{
-  const int dimensions[] = { columns, rows };
-  this->ChangeNumbers(this->Dimensions, dimensions, 2);
-}
-
-//------------------------------------------------------------------------------
-void vtkFFPointsToImage::SetDimensions(const int dimensions[2])
-{
-  this->SetDimensions(dimensions[0], dimensions[1]);
-}
-
-//------------------------------------------------------------------------------
-void vtkFFPointsToImage::SetSpacing(double x, double y)
-{
-  const double spacing[] = { x, y };
-  this->ChangeNumbers(this->Spacing, spacing, 2);
-}
-
-//------------------------------------------------------------------------------
-void vtkFFPointsToImage::SetSpacing(const double spacing[2])
-{
-  this->SetSpacing(spacing[0], spacing[1]);
-}
-
-//------------------------------------------------------------------------------
-void vtkFFPointsToImage::SetSamplingBounds(double xmin, double xmax, double ymin, double ymax)
-{
-  const double bounds[] = { xmin, xmax, ymin, ymax };
-  this->ChangeNumbers(this->SamplingBounds, bounds, 4);
-}
-
-//------------------------------------------------------------------------------
-void vtkFFPointsToImage::SetSamplingBounds(const double bounds[4])
-{
-  this->SetSamplingBounds(bounds[0], bounds[1], bounds[2], bounds[3]);
-}
-
-//------------------------------------------------------------------------------
-int vtkFFPointsToImage::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 0)
-  {
-    return this->Superclass::FillInputPortInformation(port, info);
-  }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkFFPointsToImage::FillOutputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkImageData");
-  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -370,7 +248,7 @@ int vtkFFPointsToImage::RequestInformation(
       extent = extentOf(this->Dimensions[0], this->Dimensions[1]);
     }
   }
-  catch (const vtkFFBadSetting&)
+  catch (const FFBadSetting&)
   {
     // RequestData() says so.
   }
@@ -384,91 +262,59 @@ int vtkFFPointsToImage::RequestUpdateExtent(
 {
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
-    vtkFFInput::RequestAll(inputVector[port]->GetInformationObject(0));
+    FFInput::RequestAll(inputVector[port]->GetInformationObject(0));
   }
   return 1;
 }
 
 //------------------------------------------------------------------------------
-double vtkFFPointsToImage::Prepare(vtkFFPlanarInput& input, vtkPolyData* source, vtkFFRun& run)
-{
-  vtkFFStamp stamp; // equals none
-  if (vtkFFKeptTriangulation::Keeps(this, run))
-  {
-    stamp = vtkFFKeptTriangulation::StampOf(this, input);
-    stamp.Add(source);
-  }
-  vtkFFStamp valueStamp;
-  valueStamp.Add(this->PassPointData);
-  valueStamp.Add(this->InterpolateZ);
-  valueStamp.Add(this->ZArrayName);
-  const bool isTriangulated = this->Prepared && this->Prepared->Stamp == stamp;
-  if (!isTriangulated)
-  {
-    this->Prepared.reset();
-    run.SetPart(0.0, shareOfTriangulation);
-    this->Prepared = source ? triangulate(input, source, run) : triangulate(input, run);
-    this->Prepared->Stamp = stamp;
-  }
-  if (!(this->Prepared->ValueStamp == valueStamp))
-  {
-    this->Prepared->ValueStamp = vtkFFStamp();
-    vtkPointSet* const points = input.GetPoints();
-    this->Prepared->Data->SetValues(points, this->PassPointData ? points->GetPointData() : nullptr,
-      {}, this->InterpolateZ ? this->ZArrayName.c_str() : nullptr);
-    this->Prepared->ValueStamp = valueStamp;
-  }
-  run.Report = this->Prepared->Engine;
-  return isTriangulated ? 0.0 : shareOfPreparing;
-}
-
-//------------------------------------------------------------------------------
-int vtkFFPointsToImage::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkFFPointsToImage::Execute(vtkDataObject* data, vtkInformationVector** inputVector,
+  const std::vector<vtkDataObject*>& results, FFRun& run)
 {
   static_assert(int(NATURAL_NEIGHBOR) == int(vtkFFPointInterpolator2D::NATURAL_NEIGHBOR) &&
       int(CLOUGH_TOCHER) == int(vtkFFPointInterpolator2D::CLOUGH_TOCHER) &&
       int(MASK_POINTS) == int(vtkFFPointInterpolator2D::MASK_POINTS) &&
       int(CLOSEST_POINT) == int(vtkFFPointInterpolator2D::CLOSEST_POINT),
-    "these are the values of vtkFFInterpolatedData");
+    "these are the values of FFInterpolatedData");
+  auto* const output = vtkImageData::SafeDownCast(results[0]);
+  vtkPolyData* const source = FFConstraints::SourceOf(inputVector, run);
+  checkSettings(this, source != nullptr);
+  FFPlanarInput input(this, run);
+  input.Take(data);
+  std::optional<Box> bounds; // none: there is no point
+  FFInterpolatedData values(queriesOf(input, data, source, bounds, output, run));
+  vtkPointSet* const points = input.GetPoints();
+  values.SetValues(points, this->PassPointData ? points->GetPointData() : nullptr, {},
+    this->InterpolateZ ? this->ZArrayName.c_str() : nullptr);
+  Box box;
+  std::copy_n(this->SamplingBounds, 4, box.begin());
+  if (this->UseInputBounds && !bounds)
+  {
+    return;
+  }
+  const flipflop::ImageGrid grid = gridOf(this, this->UseInputBounds ? *bounds : box);
+  const FFInterpolatedData::NullsType nulls{ this->NullPointsStrategy, this->NullValue,
+    this->ValidPointsMaskArrayName };
+  run.SetBegin(shareOfPreparing);
+  const auto targets = values.GetTargets(grid, 1, this->InterpolationMode, run);
+  const auto arrays = values.Interpolate(targets, nulls, run);
+  setGeometry(grid, input.GetFittedPlane(), output);
+  values.AddArrays(arrays, nulls, output->GetPointData());
+}
+
+//------------------------------------------------------------------------------
+int vtkFFPointsToImage::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
   vtkImageData* const output = vtkImageData::GetData(outputVector);
+  if (!output) // a composite
+  {
+    return this->Superclass::RequestData(request, inputVector, outputVector);
+  }
   // The executive leaves the last run's scalars and geometry.
   output->GetPointData()->Initialize();
   setGeometry(flipflop::ImageGrid(), std::nullopt, output);
-  vtkPolyData* const source = vtkPolyData::GetData(inputVector[1]);
-  vtkFFRun run(this, "Image of points", outputVector);
-  run.Do(
-    [&]
-    {
-      checkSettings(this, source != nullptr);
-      vtkFFConstraints::CheckSource(source, run);
-      vtkFFPlanarInput input(this, run);
-      input.Take(vtkDataObject::GetData(inputVector[0]));
-      const double progress = this->Prepare(input, source, run);
-      const vtkFFPreparedPoints& points = *this->Prepared;
-      Box box{};
-      std::copy_n(this->SamplingBounds, 4, box.begin());
-      if (this->UseInputBounds && points.Bounds)
-      {
-        box = *points.Bounds;
-      }
-      if (!this->UseInputBounds || points.Bounds)
-      {
-        const flipflop::ImageGrid grid = gridOf(this, box);
-        const vtkFFInterpolatedData::NullsType nulls{ this->NullPointsStrategy, this->NullValue,
-          this->ValidPointsMaskArrayName };
-        const auto arrays = points.Data->Interpolate(
-          points.Data->GetTargets(grid, 1, this->InterpolationMode, run), nulls, progress, run);
-        setGeometry(grid, input.GetFittedPlane(), output);
-        points.Data->AddArrays(arrays, nulls, output->GetPointData());
-      }
-      input.Report(points.Report, points.Hidden, std::nullopt, output);
-    });
-  if (run.Failure || !vtkFFKeptTriangulation::Keeps(this, run))
-  {
-    this->Prepared.reset();
-  }
-  run.Finish();
+  this->Superclass::RequestData(request, inputVector, outputVector);
   // Else the executive would take an image that is smaller than announced for none.
   int extent[6];
   output->GetExtent(extent);

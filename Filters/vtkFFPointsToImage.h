@@ -35,20 +35,17 @@
  *
  * The second input, if there is one, has breaklines as lines and polygons of the input's points:
  * their sides are edges of the triangulation. Pixels outside the polygons, by the even-odd rule,
- * are null. Breaklines that cross between points are an error. Both outputs of
- * vtkFFConstrainedDelaunayFilter, which splits them and takes points of their own, are such a pair
- * of inputs: its triangulation's points have all that is there to be interpolated.
+ * are null. Breaklines that cross between points are an error. The outputs 0 and 3 of
+ * vtkFFRegularTriangulationFilter, which splits them and takes points of their own, are such a pair
+ * of inputs.
  *
- * Other settings for the image do not triangulate again while the input is unchanged: the filter
- * keeps what it prepared, about 110 bytes for each point and its values, but for composites, and if
- * its release data flag is on. SetFacetMode(), SetVisiblePointIds() and SetGenerateCellMeasures()
- * have no effect.
+ * SetFacetMode(), SetVisiblePointIds() and SetGenerateCellMeasures() have no effect.
  *
  * The whole extent is known before the data by dimensions, and by a spacing if the bounds are
  * given. Otherwise it is empty until the filter has run.
  *
  * @sa
- * vtkFFPointInterpolator2D vtkFFPlanarAlgorithm vtkFFConstrainedDelaunayFilter vtkResampleToImage
+ * vtkFFPointInterpolator2D vtkFFPlanarAlgorithm vtkFFRegularTriangulationFilter vtkResampleToImage
  */
 
 #ifndef vtkFFPointsToImage_h
@@ -63,22 +60,19 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;
-class vtkFFPlanarInput;
-class vtkFFRun;
 class vtkImageData;
-struct vtkFFPreparedPoints;
 
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPointsToImage : public vtkFFPlanarAlgorithm
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFPointsToImage* New();
   vtkTypeMacro(vtkFFPointsToImage, vtkFFPlanarAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
   /**
    * What the size of the image is given by.
@@ -110,28 +104,28 @@ public:
     CLOSEST_POINT = 2
   };
 
-  //@{
+  ///@{
   /**
    * Get the output; its type is not that of the superclass.
    */
   vtkImageData* GetOutput();
   vtkImageData* GetOutput(int port);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the second input, on port 1: the breaklines. None by default. Their point ids are those
    * of the input. The source has no points, or at the ids that its cells name those of the input;
    * for XY_PLANE, z may differ. With a source, weights, the CUDA engine, NATURAL_NEIGHBOR and
    * CLOSEST_POINT are errors.
    */
-  void SetSourceData(vtkPolyData* source);
-  void SetSourceConnection(vtkAlgorithmOutput* output);
+  void SetSourceData(vtkDataObject* source) { this->SetInputData(1, source); }
+  void SetSourceConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void RemoveSource() { this->SetSourceConnection(nullptr); }
-  vtkPolyData* GetSource();
-  //@}
+  vtkDataObject* GetSource() { return this->GetSecondInput(); }
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get what the size of the image is given by.
    *
@@ -141,69 +135,64 @@ public:
    *   x and at the greatest y of the bounds; as many as cover these, but
    *   for a millionth of a pixel, as rounding leaves it
    */
-  virtual void SetSizeMode(int mode)
-  {
-    this->ChangeOutput(
-      this->SizeMode, vtkMath::ClampValue<int>(mode, SIZE_BY_DIMENSIONS, SIZE_BY_SPACING));
-  }
+  vtkSetClampMacro(SizeMode, int, SIZE_BY_DIMENSIONS, SIZE_BY_SPACING);
   vtkGetMacro(SizeMode, int);
-  //@}
+  void SetSizeModeByDimensions() { this->SetSizeMode(SIZE_BY_DIMENSIONS); }
+  void SetSizeModeBySpacing() { this->SetSizeMode(SIZE_BY_SPACING); }
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the numbers of pixels along x and y, for SIZE_BY_DIMENSIONS. (256, 256) by default.
    * Numbers below 1 are an error.
    */
-  virtual void SetDimensions(int columns, int rows);
-  virtual void SetDimensions(const int dimensions[2]);
+  vtkSetVector2Macro(Dimensions, int);
   vtkGetVector2Macro(Dimensions, int);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the lengths of a pixel along x and y, in the unit of the points' coordinates, for
    * SIZE_BY_SPACING. (1, 1) by default. What is not finite or not above 0 is an error; so is a
    * spacing that makes more than 2^31 - 1 pixels along an axis.
    */
-  virtual void SetSpacing(double x, double y);
-  virtual void SetSpacing(const double spacing[2]);
+  vtkSetVector2Macro(Spacing, double);
   vtkGetVector2Macro(Spacing, double);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether the image's bounds are those of the points that appear in the triangulation, in
    * the plane. On by default. If these have no extent along x or y, the bounds have the extent of
    * the other direction, half of it on either side. A single position gets bounds of side 1.
    */
-  virtual void SetUseInputBounds(bool on) { this->ChangeOutput(this->UseInputBounds, on); }
+  vtkSetMacro(UseInputBounds, bool);
   vtkGetMacro(UseInputBounds, bool);
-  //@}
+  vtkBooleanMacro(UseInputBounds, bool);
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the bounds if UseInputBounds is off, (xmin, xmax, ymin, ymax) in the plane: the outer
    * sides of the outer pixels. (0, 1, 0, 1) by default. They must be finite and have an inside.
    */
-  virtual void SetSamplingBounds(double xmin, double xmax, double ymin, double ymax);
-  virtual void SetSamplingBounds(const double bounds[4]);
+  vtkSetVector4Macro(SamplingBounds, double);
   vtkGetVector4Macro(SamplingBounds, double);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get how values are interpolated: LINEAR (the default), NATURAL_NEIGHBOR or CLOUGH_TOCHER,
    * as vtkFFPointInterpolator2D::SetInterpolationMode() says.
    */
-  virtual void SetInterpolationMode(int mode)
-  {
-    this->ChangeOutput(
-      this->InterpolationMode, vtkMath::ClampValue<int>(mode, LINEAR, CLOUGH_TOCHER));
-  }
+  vtkSetClampMacro(InterpolationMode, int, LINEAR, CLOUGH_TOCHER);
   vtkGetMacro(InterpolationMode, int);
-  //@}
+  void SetInterpolationModeToLinear() { this->SetInterpolationMode(LINEAR); }
+  void SetInterpolationModeToNaturalNeighbor() { this->SetInterpolationMode(NATURAL_NEIGHBOR); }
+  void SetInterpolationModeToCloughTocher() { this->SetInterpolationMode(CLOUGH_TOCHER); }
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get what null pixels get.
    *
@@ -213,51 +202,50 @@ public:
    * - CLOSEST_POINT: the values of the closest point (with weights, by
    *   power distance)
    */
-  virtual void SetNullPointsStrategy(int mode)
-  {
-    this->ChangeOutput(
-      this->NullPointsStrategy, vtkMath::ClampValue<int>(mode, MASK_POINTS, CLOSEST_POINT));
-  }
+  vtkSetClampMacro(NullPointsStrategy, int, MASK_POINTS, CLOSEST_POINT);
   vtkGetMacro(NullPointsStrategy, int);
-  //@}
+  void SetNullPointsStrategyToMaskPoints() { this->SetNullPointsStrategy(MASK_POINTS); }
+  void SetNullPointsStrategyToNullValue() { this->SetNullPointsStrategy(NULL_VALUE); }
+  void SetNullPointsStrategyToClosestPoint() { this->SetNullPointsStrategy(CLOSEST_POINT); }
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the value of all components at null pixels (NaN by default), and the name of the mask
    * array ("vtkValidPointMask" by default).
    */
-  virtual void SetNullValue(double value) { this->ChangeOutput(this->NullValue, value); }
+  vtkSetMacro(NullValue, double);
   vtkGetMacro(NullValue, double);
-  virtual void SetValidPointsMaskArrayName(std::string name)
-  {
-    this->ChangeOutput(this->ValidPointsMaskArrayName, name);
-  }
+  vtkSetMacro(ValidPointsMaskArrayName, std::string);
   vtkGetMacro(ValidPointsMaskArrayName, std::string);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether the z of the input's points is interpolated, too (on by default), and the name
    * of its array ("Elevation" by default).
    */
-  virtual void SetInterpolateZ(bool on) { this->ChangeOutput(this->InterpolateZ, on); }
+  vtkSetMacro(InterpolateZ, bool);
   vtkGetMacro(InterpolateZ, bool);
-  virtual void SetZArrayName(std::string name) { this->ChangeOutput(this->ZArrayName, name); }
+  vtkBooleanMacro(InterpolateZ, bool);
+  vtkSetMacro(ZArrayName, std::string);
   vtkGetMacro(ZArrayName, std::string);
-  //@}
+  ///@}
 
 protected:
   vtkFFPointsToImage();
   ~vtkFFPointsToImage() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  void Execute(vtkDataObject* data, vtkInformationVector** inputVector,
+    const std::vector<vtkDataObject*>& results, FFRun& run) override;
+  const char* GetTitle() const override { return "Image of points"; }
+  const char* GetResultType() const override { return "vtkImageData"; }
 
   int SizeMode = SIZE_BY_DIMENSIONS;
   int Dimensions[2] = { 256, 256 };
@@ -274,14 +262,6 @@ protected:
 private:
   vtkFFPointsToImage(const vtkFFPointsToImage&) = delete;
   void operator=(const vtkFFPointsToImage&) = delete;
-
-  template <class T>
-  void ChangeNumbers(T* setting, const T* values, int count);
-
-  /// Unless they are there already. Returns the share of the progress that it took.
-  double Prepare(vtkFFPlanarInput& input, vtkPolyData* source, vtkFFRun& run);
-
-  std::unique_ptr<vtkFFPreparedPoints> Prepared; ///< null: there are none
 };
 VTK_ABI_NAMESPACE_END
 

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFPowerDiagramFilter.h"
 
-#include "vtkFFKeptTriangulation.h"
-#include "vtkFFPlanarInput.h"
-#include "vtkFFPowerCells.h"
-#include "vtkFFRun.h"
+#include "FFPlanarInput.h"
+#include "FFPowerCells.h"
+#include "FFRun.h"
 
 #include <flipflop/PowerDiagram.h>
 
@@ -28,39 +27,32 @@ vtkFFPowerDiagramFilter::vtkFFPowerDiagramFilter() = default;
 vtkFFPowerDiagramFilter::~vtkFFPowerDiagramFilter() = default;
 
 //------------------------------------------------------------------------------
-int vtkFFPowerDiagramFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkFFPowerDiagramFilter::Execute(vtkDataObject* data, vtkInformationVector**,
+  const std::vector<vtkDataObject*>& results, FFRun& run)
 {
   constexpr double shareOfTriangulation = 0.4;
-  vtkFFRun run(this, "Power diagram", outputVector);
-  run.Do(
-    [&]
-    {
-      vtkFFPowerCells::CheckBox(this);
-      vtkFFPlanarInput input(this, run);
-      input.Take(vtkDataObject::GetData(inputVector[0]));
-      // Points of one power circle meet in one corner.
-      run.Options.facets = flipflop::FacetMode::Polygons;
-      run.SetPart(0.0, shareOfTriangulation);
-      const flipflop::Triangulation triangulation =
-        vtkFFKeptTriangulation::Triangulate(this, input, run, this->Kept);
-      input.LookForVerticalPlane(triangulation);
-      input.SetHeight(triangulation);
+  FFPowerCells::CheckBox(this);
+  FFPlanarInput input(this, run);
+  input.Take(data);
+  // Points of one power circle meet in one corner.
+  run.Options.facets = flipflop::FacetMode::Polygons;
+  run.SetPart(0.0, shareOfTriangulation);
+  const flipflop::Triangulation triangulation = flipflop::regularTriangulation(
+    input.GetPlane(), input.GetWeights(), run.Options, run.Engine, run.EngineReport);
+  input.LookForVerticalPlane(triangulation);
+  input.SetHeight(triangulation);
 
-      run.SetPart(shareOfTriangulation, 1.0);
-      flipflop::PowerDiagram diagram;
-      if (triangulation.dimension >= 0)
-      {
-        const std::array<double, 4> box =
-          vtkFFPowerCells::FindBox(this, input.GetPlane(), triangulation);
-        diagram = flipflop::powerDiagram(
-          input.GetPlane(), input.GetWeights(), triangulation, box.data(), run.Options);
-      }
-      vtkPolyData* const output = vtkPolyData::GetData(outputVector);
-      vtkFFPowerCells::Write(this, input, diagram, run, output);
-      input.Report(triangulation, triangulation.hiddenIds.size(), std::nullopt, output);
-    });
-  return run.Finish();
+  run.SetPart(shareOfTriangulation, 1.0);
+  flipflop::PowerDiagram diagram;
+  if (triangulation.dimension >= 0)
+  {
+    const std::array<double, 4> box = FFPowerCells::FindBox(this, input.GetPlane(), triangulation);
+    diagram = flipflop::powerDiagram(
+      input.GetPlane(), input.GetWeights(), triangulation, box.data(), run.Options);
+  }
+  vtkPolyData* const output = vtkPolyData::SafeDownCast(results[0]);
+  FFPowerCells::Write(this, input, diagram, run, output);
+  input.Report(triangulation, triangulation.hiddenIds.size(), std::nullopt, output);
 }
 
 //------------------------------------------------------------------------------
@@ -87,7 +79,7 @@ void vtkFFPowerDiagramFilter::StorePowerDiagramBounds(
     std::copy(bounds, bounds + 4, this->PowerDiagramBounds);
     this->PowerDiagramLengths[0] = xmax - xmin;
     this->PowerDiagramLengths[1] = ymax - ymin;
-    this->OutputModified();
+    this->Modified();
   }
 }
 

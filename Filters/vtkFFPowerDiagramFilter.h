@@ -30,10 +30,6 @@
  * Every input has an answer. No point: empty. Points at one position: the region of one of them is
  * the box. The reported seconds and statistics are the triangulation's.
  *
- * Another box, arrays and the report do not triangulate again while the input is unchanged: the
- * filter keeps its last triangulation, in 28 bytes for each point. It keeps none of composites, and
- * none if its release data flag is on.
- *
  * @sa
  * vtkFFPlanarAlgorithm vtkFFRegularTriangulationFilter vtkVoronoi2D
  */
@@ -45,23 +41,19 @@
 #include "vtkFFPlanarAlgorithm.h"
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
-#include <memory> // For std::shared_ptr
-
 VTK_ABI_NAMESPACE_BEGIN
-class vtkFFKeptTriangulation;
-
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPowerDiagramFilter
   : public vtkFFPlanarAlgorithm
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFPowerDiagramFilter* New();
   vtkTypeMacro(vtkFFPowerDiagramFilter, vtkFFPlanarAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
   /**
    * The box to which the power diagram is clipped.
@@ -72,7 +64,7 @@ public:
     BOX_OF_BOUNDS = 1
   };
 
-  //@{
+  ///@{
   /**
    * Set/Get the box of BOX_OF_BOUNDS, (xmin, xmax, ymin, ymax) in the plane: of x and y, of the
    * transformed points, or measured in the fitted plane. (0, 1, 0, 1) by default. It must be finite
@@ -86,38 +78,37 @@ public:
   virtual void SetPowerDiagramBounds(const double bounds[4]);
   void StorePowerDiagramBounds(double xmin, double xmax, double ymin, double ymax);
   vtkGetVector4Macro(PowerDiagramBounds, double);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set the same bounds by the box's least corner and its lengths, in any order; z does not count.
    * The mode stays. It is for applications whose users move a box in space.
    */
   void StorePowerDiagramCorner(double x, double y, double z);
   void StorePowerDiagramLengths(double x, double y, double z);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the box to which the power diagram is clipped: the bounds of the points in the plane
    * (BOX_OF_POINTS, the default), or PowerDiagramBounds (BOX_OF_BOUNDS). If the points have no
    * extent along x or y, the box has the extent of the other direction, half of it on either side.
    * A single position gets a box of side 1.
    */
-  virtual void SetPowerDiagramBoxMode(int mode)
-  {
-    this->ChangeOutput(
-      this->PowerDiagramBoxMode, vtkMath::ClampValue<int>(mode, BOX_OF_POINTS, BOX_OF_BOUNDS));
-  }
+  vtkSetClampMacro(PowerDiagramBoxMode, int, BOX_OF_POINTS, BOX_OF_BOUNDS);
   vtkGetMacro(PowerDiagramBoxMode, int);
-  //@}
+  void SetPowerDiagramBoxModeToBoxOfPoints() { this->SetPowerDiagramBoxMode(BOX_OF_POINTS); }
+  void SetPowerDiagramBoxModeToBoxOfBounds() { this->SetPowerDiagramBoxMode(BOX_OF_BOUNDS); }
+  ///@}
 
 protected:
   vtkFFPowerDiagramFilter();
   ~vtkFFPowerDiagramFilter() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(vtkDataObject* data, vtkInformationVector** inputVector,
+    const std::vector<vtkDataObject*>& results, FFRun& run) override;
+  const char* GetTitle() const override { return "Power diagram"; }
 
   int PowerDiagramBoxMode = BOX_OF_POINTS;
   double PowerDiagramBounds[4] = { 0.0, 1.0, 0.0, 1.0 };
@@ -126,8 +117,6 @@ protected:
 private:
   vtkFFPowerDiagramFilter(const vtkFFPowerDiagramFilter&) = delete;
   void operator=(const vtkFFPowerDiagramFilter&) = delete;
-
-  std::shared_ptr<vtkFFKeptTriangulation> Kept;
 };
 VTK_ABI_NAMESPACE_END
 

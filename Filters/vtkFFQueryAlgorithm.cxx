@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFQueryAlgorithm.h"
 
+#include "FFBlocks.h"
+#include "FFInput.h"
+#include "FFRun.h"
 #include "vtkFFErrorCode.h"
-#include "vtkFFInput.h"
-#include "vtkFFRun.h"
 
+#include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
+
+#include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
@@ -24,20 +27,16 @@ vtkFFQueryAlgorithm::vtkFFQueryAlgorithm()
 vtkFFQueryAlgorithm::~vtkFFQueryAlgorithm() = default;
 
 //------------------------------------------------------------------------------
-void vtkFFQueryAlgorithm::Modified()
+int vtkFFQueryAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
-  this->ResultTime.Modified();
-  this->OutputModified();
+  FFBlocks::AcceptWhole(info);
+  return 1;
 }
 
 //------------------------------------------------------------------------------
-int vtkFFQueryAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+int vtkFFQueryAlgorithm::FillOutputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  if (port == 1)
-  {
-    vtkFFInput::AcceptWhole(info);
-  }
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject"); // or a composite
   return 1;
 }
 
@@ -45,39 +44,72 @@ int vtkFFQueryAlgorithm::FillInputPortInformation(int port, vtkInformation* info
 vtkTypeBool vtkFFQueryAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // As in vtkFFAlgorithm.
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()) &&
-    vtkFFRun::FindDataSet(this, inputVector, this->DataSet, this->NumberOfDataSets))
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED())) // as in vtkFFAlgorithm
   {
+    this->Report = vtkFFReport();
     this->SetErrorCode(vtkFFErrorCode::NoError);
-    this->IsAborted = false;
-    this->IsSecondAtFault = false;
-    this->Dimension = -1;
   }
   return this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
 int vtkFFQueryAlgorithm::RequestDataObject(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (vtkDataSet::GetData(inputVector[0]))
-  {
-    return this->Superclass::RequestDataObject(request, inputVector, outputVector);
-  }
-  // A table, say, in a composite: its place gets an empty data set, and an error says what is
-  // wrong.
-  outputVector->GetInformationObject(0)->Set(
-    vtkDataObject::DATA_OBJECT(), vtkSmartPointer<vtkPolyData>::New());
-  return 1;
+  return FFBlocks::MakeOutputs(this, nullptr, false, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
 int vtkFFQueryAlgorithm::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  vtkFFInput::RequestAll(inputVector[1]->GetInformationObject(0));
+  FFInput::RequestAll(inputVector[1]->GetInformationObject(0));
   return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFFQueryAlgorithm::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  FFRun run(this, this->GetTitle());
+  vtkDataObject* const source = vtkDataObject::GetData(inputVector[1]);
+  run.Do(
+    [&]
+    {
+      const double begin = this->Prepare(source, run);
+      run.Parts.clear(); // what errors are about from now on is the input
+      run.Ids.clear();
+      run.SetBegin(begin);
+    });
+  return FFBlocks::Run(run, nullptr, true, inputVector, outputVector,
+    [&](vtkDataObject* data, const FFBlocks::Results& results, FFRun& own)
+    { this->Execute(data, vtkDataSet::SafeDownCast(results[0]), own); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFFQueryAlgorithm::IsPrepared(vtkDataObject* source)
+{
+  vtkMTimeType time = std::max(this->GetMTime(), source->GetMTime());
+  // A composite does not know when its data sets change.
+  for (const FFBlocks::PieceType& piece : FFBlocks::PiecesOf(source))
+  {
+    time = std::max(time, piece.Data->GetMTime());
+  }
+  return this->PreparedSource == source && this->PreparedTime.GetMTime() > time;
+}
+
+//------------------------------------------------------------------------------
+void vtkFFQueryAlgorithm::SetPrepared(vtkDataObject* source)
+{
+  this->PreparedSource = source;
+  this->PreparedTime.Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkDataObject* vtkFFQueryAlgorithm::GetSecondInput()
+{
+  return this->GetNumberOfInputConnections(1) > 0 ? this->GetExecutive()->GetInputData(1, 0)
+                                                  : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -87,6 +119,5 @@ void vtkFFQueryAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "NonFinitePoints: " << this->NonFinitePoints << "\n";
   os << indent << "SkipGhostPoints: " << (this->SkipGhostPoints ? "On" : "Off") << "\n";
-  os << indent << "Dimension: " << this->Dimension << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -2,58 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkFFRegularTriangulationFilter
- * @brief   the exact Delaunay or regular (weighted) triangulation in the plane
+ * @brief   the exact Delaunay triangulation in the plane, with weights or with given edges
  *
- * vtkFFRegularTriangulationFilter computes the regular triangulation of the points of any
- * vtkPointSet, vtkImageData or vtkRectilinearGrid; without weights, that is the Delaunay
- * triangulation. vtkFFPlanarAlgorithm says what weights are, and how to give them. Cells of the
- * input are ignored. The triangulation is exact for every finite input: no tolerance decides
- * anything. Its dual is the power diagram: see vtkFFPowerDiagramFilter.
+ * vtkFFRegularTriangulationFilter computes the Delaunay triangulation of the points of any data
+ * set; of weighted points, it is the regular triangulation, the dual of vtkFFPowerDiagramFilter's
+ * diagram. Cells of the input are ignored. vtkFFPlanarAlgorithm says in which plane, and how to
+ * give weights. A second input has constraints: lines and polygons that are to be edges. The
+ * triangulation is exact for every finite input.
  *
- * The algorithm is ffRT of the paper named in vtkFFAlgorithm. The points are lifted to (x, y,
- * x^2 + y^2 - w), a star-shaped surface below all lifts is grown, and Flip-Flop turns it into the
- * lower hull of the lifts by local flips. A point appears if its lift is a strictly extreme vertex
- * of the lower hull. Of points with the same position and weight, the one of lowest id appears. All
- * other points are hidden, also ties. Without weights, only duplicates are hidden.
+ * The algorithm is ffRT of the paper named in vtkFFAlgorithm. A point appears if its lift is a
+ * strictly extreme vertex of the lower hull; all others are hidden, also ties. Without weights,
+ * only duplicates are hidden, by the lowest id.
  *
- * The output is a function of the input alone:
+ * - Port 0, the triangulation: the points that appear, by ascending id, with their original
+ *   position, type and bits. Triangles are counter-clockwise as seen from the plane's upper side,
+ *   none without area. Each cell starts at its lowest id; all are in lexicographic order. Points on
+ *   a line give a chain of lines, one position gives a vertex.
+ * - Port 1, the hidden points: a vertex for each, by ascending id.
+ * - Port 2, the border of the cells: see SetGenerateBoundary().
+ * - Port 3, the fixed edges: a line for each edge that a constraint runs along, with the points of
+ *   port 0. The cell array ConstraintCellIds (a vtkIdTypeArray) has the first cell of the source
+ *   that does.
  *
- * - Port 0, the triangulation: the points that appear, by ascending id,
- *   in their original place in space, type and bits (floats stay
- *   floats). The cells are triangles, counter-clockwise as seen from
- *   the plane's upper side, none without area. As polygons (see
- *   SetFacetMode()), there is one cell for all points of one empty
- *   power circle, which is a circle without weights. As triangles, such
- *   points give the fan from the lowest id. Each cell starts at its
- *   lowest id; all are in lexicographic order.
- * - Port 1, the hidden points: a vertex cell each, by ascending id.
- * - Port 2, the border of the cells: empty unless GenerateBoundary is
- *   on.
- *
- * On all ports, the point array vtkOriginalPointIds (a vtkIdTypeArray) has the id that each point
- * has in the input. The input's point data is passed, unless PassPointData is off.
- *
- * Every input has an answer:
- *
- * - no point: empty, dimension -1, no error
- * - one position: one vertex cell: the greatest weight, then the lowest
- *   id
- * - collinear points: a chain of line cells through the points that
- *   appear
- * - duplicates: the greatest weight, then the lowest id, represents all
- * - NaN or infinity, unusable weights, too many points: an error and
- *   empty output; points that are left out are on no port
- *
- * A setting that concerns the output alone (alpha, edge length, border, arrays, the report) does
- * not triangulate again while the input is unchanged. Neither do facets as triangles after facets
- * as polygons. The filter keeps its last triangulation for that, in 28 bytes for each point. It
- * keeps none of composites, and none if its release data flag is on.
- *
- * @warning
- * At most 2^32 - 2 points can be given, about 5e8 if nearly all are visible.
+ * The point array vtkOriginalPointIds (a vtkIdTypeArray) has the id that each point has in the
+ * input. At most 2^32 - 2 points can be given, about 5e8 if nearly all appear.
  *
  * @sa
- * vtkFFPlanarAlgorithm vtkFFPowerDiagramFilter vtkFFConstrainedDelaunayFilter vtkDelaunay2D
+ * vtkFFPlanarAlgorithm vtkFFPowerDiagramFilter vtkPFFRegularTriangulationFilter vtkDelaunay2D
  */
 
 #ifndef vtkFFRegularTriangulationFilter_h
@@ -63,25 +38,42 @@
 #include "vtkFFPlanarAlgorithm.h"
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
-#include <memory> // For std::shared_ptr
-
 VTK_ABI_NAMESPACE_BEGIN
-class vtkFFKeptTriangulation;
+class vtkAlgorithmOutput;
 
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFRegularTriangulationFilter
   : public vtkFFPlanarAlgorithm
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFRegularTriangulationFilter* New();
   vtkTypeMacro(vtkFFRegularTriangulationFilter, vtkFFPlanarAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
-  //@{
+  /**
+   * How the polygons of the source define what is inside.
+   */
+  enum PolygonRuleType
+  {
+    EVEN_ODD = 0,
+    DIRECTION = 1
+  };
+
+  /**
+   * Whose points the source's cells name.
+   */
+  enum SourcePointsType
+  {
+    AUTOMATIC_POINTS = 0,
+    INPUT_POINTS = 1,
+    OWN_POINTS = 2
+  };
+
+  ///@{
   /**
    * Set/Get alpha, a length: port 0 has the alpha complex of the triangulation. 0 by default: all
    * of it. As in vtkDelaunay2D, a triangle stays if its circumcircle has at most the radius Alpha;
@@ -98,92 +90,175 @@ public:
    * which it stays, without weights its circle's radius, rounded up. So a vtkThreshold of that
    * array gives the cells of any alpha, exactly. With weights, a negative number stands for a
    * negative square.
-   *
-   * All points stay in the output. Where several processes triangulate together, AlphaLines,
-   * AlphaVerts and GenerateAlphas are errors.
    */
-  virtual void SetAlpha(double alpha) { this->ChangeOutput(this->Alpha, alpha); }
+  vtkSetMacro(Alpha, double);
   vtkGetMacro(Alpha, double);
-  virtual void SetAlphaLines(bool on) { this->ChangeOutput(this->AlphaLines, on); }
+  vtkSetMacro(AlphaLines, bool);
   vtkGetMacro(AlphaLines, bool);
-  virtual void SetAlphaVerts(bool on) { this->ChangeOutput(this->AlphaVerts, on); }
+  vtkBooleanMacro(AlphaLines, bool);
+  vtkSetMacro(AlphaVerts, bool);
   vtkGetMacro(AlphaVerts, bool);
-  virtual void SetGenerateAlphas(bool on) { this->ChangeOutput(this->GenerateAlphas, on); }
+  vtkBooleanMacro(AlphaVerts, bool);
+  vtkSetMacro(GenerateAlphas, bool);
   vtkGetMacro(GenerateAlphas, bool);
-  //@}
+  vtkBooleanMacro(GenerateAlphas, bool);
+  ///@}
 
-  //@{
+  ///@{
+  /**
+   * Set/Get the length of the longest edge that the cells of port 0 may have. 0 by default: any.
+   * Cells with a longer edge are left out: triangles, and the lines of collinear points. Edges are
+   * measured in the plane, and compared exactly: one as long as MaximumEdgeLength stays. A negative
+   * number and NaN are an error of the update. A polygon (see SetFacetMode()) is judged by its
+   * border; of its triangles, each by itself. All points stay in the output.
+   */
+  vtkSetMacro(MaximumEdgeLength, double);
+  vtkGetMacro(MaximumEdgeLength, double);
+  ///@}
+
+  ///@{
   /**
    * Set/Get whether port 2 gives the border of the cells of port 0 as closed polylines. Off by
    * default. Cells are on the left of each, so one around cells is counter-clockwise, and one
    * around a hole is clockwise. No polyline passes a point twice; they may meet in points. Each
-   * starts at its lowest id; they are in lexicographic order. The points are those of the border.
-   * Where several processes triangulate together, it is an error.
+   * starts at its lowest id; they are in lexicographic order.
    */
-  virtual void SetGenerateBoundary(bool on) { this->ChangeOutput(this->GenerateBoundary, on); }
+  vtkSetMacro(GenerateBoundary, bool);
   vtkGetMacro(GenerateBoundary, bool);
-  //@}
+  vtkBooleanMacro(GenerateBoundary, bool);
+  ///@}
 
-  //@{
+  ///@{
   /**
-   * Set/Get whether the output has a certificate as field data. Off by default. With it, a program
-   * that shares nothing with this one checks the triangulation in linear time:
-   * Checker/check_result.py.
+   * Set/Get the second input, on port 1, a vtkPolyData: the constraints. None by default. Its
+   * lines, polylines and polygons become edges; all other edges are Delaunay as far as the
+   * constraints let points see each other. Their order does not matter. A constraint through points
+   * is parted there, and one that ends at a duplicate ends at the lowest id of that position.
    *
-   * FlipFlopCertificate (vtkIdTypeArray) has for each point of the input, ghosts included, the cell
-   * of port 0 that holds it, of several the lowest; a hidden point is hidden by it. -1 for a point
-   * that was left out. Cells are counted before Alpha and MaximumEdgeLength leave some out. Where
-   * several processes triangulate together, it is an error.
+   * The CPU engine does the work. A composite on port 0, weights, and asking for the CUDA engine
+   * are errors then. So is a constraint whose point is not there or is left out.
    */
-  virtual void SetGenerateCertificate(bool on)
-  {
-    this->ChangeOutput(this->GenerateCertificate, on);
-  }
-  vtkGetMacro(GenerateCertificate, bool);
-  //@}
+  void SetSourceData(vtkDataObject* source) { this->SetInputData(1, source); }
+  void SetSourceConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void RemoveSource() { this->SetSourceConnection(nullptr); }
+  vtkDataObject* GetSource() { return this->GetSecondInput(); }
+  ///@}
 
-  //@{
+  ///@{
   /**
-   * Set/Get the length of the longest edge that the cells of port 0 may have. 0 by default: any.
-   * Cells with a longer edge are left out: triangles, and the lines of collinear points. Edges are
-   * measured in the plane of the triangulation, and compared exactly: one as long as
-   * MaximumEdgeLength stays. Infinity leaves nothing out. A negative number and NaN are an error
-   * of the update.
+   * Set/Get whose points the cells of the source name. Points are compared as given, before a
+   * transform.
    *
-   * All points stay in the output, also those of no cell. The hidden points and the power diagram
-   * do not change.
+   * - AUTOMATIC_POINTS (the default): the input's, if the source has
+   *   no points, or if at all ids that its cells name its points are
+   *   those of the input, in all three coordinates. Otherwise its
+   *   own.
+   * - INPUT_POINTS: the input's, by id, as in vtkDelaunay2D. The
+   *   source has no points, or at these ids those of the input (x and
+   *   y alone for XY_PLANE): anything else is an error that names the
+   *   first id at which they differ.
+   * - OWN_POINTS: the source's.
    *
-   * As polygons (see SetFacetMode()), all points of one empty power circle are one cell, which is
-   * judged by its border. As triangles, each triangle of the fan is judged by itself; some of its
-   * edges are diagonals, so of a square of side 1, a length of 1.2 leaves out both triangles.
+   * Own points that cells name join the points of the input, after them. At the position of a point
+   * of the input, in the plane, that point is used, with its own z and data; of several own points
+   * at one position, the first. Point data of the same name and number of components comes along.
+   * Where the source has no such array, added points have NaN, or 0 in arrays that are no
+   * floating-point numbers. In vtkOriginalPointIds, added points have -1.
+   *
+   * With own points, or if crossing constraints are split, the output has the point array
+   * PointOrigin (a vtkUnsignedCharArray): 0 for points of the input, 1 for those that the source
+   * adds, 2 for those where constraints cross. For XY_PLANE it also has HeightRange, a
+   * vtkDoubleArray of two components: the lowest and the highest of all z that are given for a
+   * point, by itself, by points of the source at its position, and by the lines that end there or
+   * run through it. GetNumberOfHeightDifferences() returns at how many points these differ.
    */
-  virtual void SetMaximumEdgeLength(double length)
-  {
-    this->ChangeOutput(this->MaximumEdgeLength, length);
-  }
-  vtkGetMacro(MaximumEdgeLength, double);
-  //@}
+  vtkSetClampMacro(SourcePoints, int, AUTOMATIC_POINTS, OWN_POINTS);
+  vtkGetMacro(SourcePoints, int);
+  void SetSourcePointsToAutomaticPoints() { this->SetSourcePoints(AUTOMATIC_POINTS); }
+  void SetSourcePointsToInputPoints() { this->SetSourcePoints(INPUT_POINTS); }
+  void SetSourcePointsToOwnPoints() { this->SetSourcePoints(OWN_POINTS); }
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether constraints are split where they cross between points. Off by default: they
+   * are an error that names both cells.
+   *
+   * The output then has a new point at each crossing, after the others, at the double nearest to it
+   * in the plane. So constraints bend there by half a unit in the last place at most, between the
+   * points that are on them: these stay on them. Positions in space and point data are interpolated
+   * along the first of the constraints that cross there; data that cannot be is not passed then.
+   * The points of the output are double. In vtkOriginalPointIds, new points have -1.
+   */
+  vtkSetMacro(SplitCrossingConstraints, bool);
+  vtkGetMacro(SplitCrossingConstraints, bool);
+  vtkBooleanMacro(SplitCrossingConstraints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how polygons of the source define what is inside. Cells outside are left out and
+   * counted. Without polygons, and where all points are on one line, all cells stay.
+   *
+   * - EVEN_ODD (the default): a cell is inside if a way to it from
+   *   outside crosses an odd number of sides. So a polygon keeps its
+   *   inside, and one in it is a hole, to any depth.
+   * - DIRECTION: as in vtkDelaunay2D, what is on the left of a side,
+   *   as seen from the plane's upper side, is inside: holes run
+   *   clockwise. Polygons that disagree are an error that names two
+   *   of them, and which to reverse.
+   */
+  vtkSetClampMacro(PolygonRule, int, EVEN_ODD, DIRECTION);
+  vtkGetMacro(PolygonRule, int);
+  void SetPolygonRuleToEvenOdd() { this->SetPolygonRule(EVEN_ODD); }
+  void SetPolygonRuleToDirection() { this->SetPolygonRule(DIRECTION); }
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether closed lines of the source are polygons, too. Off by default. Lines are joined
+   * end to end first, at positions where exactly two of their ends are. A line, or a sequence of
+   * them, that then ends where it begins is closed, unless it encloses nothing. One that runs all
+   * the way along the outline of the source's polygons and of the closed lines before it is this
+   * outline, and no second polygon.
+   */
+  vtkSetMacro(ClosedLinesAsBorders, bool);
+  vtkGetMacro(ClosedLinesAsBorders, bool);
+  vtkBooleanMacro(ClosedLinesAsBorders, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Get how many points the last run added: where constraints cross, and of the source; and at how
+   * many points several heights were given that differ.
+   */
+  vtkIdType GetNumberOfSplitPoints() { return this->Report.NumberOfSplitPoints; }
+  vtkIdType GetNumberOfAddedPoints() { return this->Report.NumberOfAddedPoints; }
+  vtkIdType GetNumberOfHeightDifferences() { return this->Report.NumberOfHeightDifferences; }
+  ///@}
 
 protected:
   vtkFFRegularTriangulationFilter();
   ~vtkFFRegularTriangulationFilter() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(vtkDataObject* data, vtkInformationVector** inputVector,
+    const std::vector<vtkDataObject*>& results, FFRun& run) override;
+  const char* GetTitle() const override { return "Delaunay triangulation"; }
 
   double Alpha = 0.0;
   bool AlphaLines = false;
   bool AlphaVerts = false;
   bool GenerateAlphas = false;
-  bool GenerateBoundary = false;
-  bool GenerateCertificate = false;
   double MaximumEdgeLength = 0.0;
+  bool GenerateBoundary = false;
+  int SourcePoints = AUTOMATIC_POINTS;
+  bool SplitCrossingConstraints = false;
+  int PolygonRule = EVEN_ODD;
+  bool ClosedLinesAsBorders = false;
 
 private:
   vtkFFRegularTriangulationFilter(const vtkFFRegularTriangulationFilter&) = delete;
   void operator=(const vtkFFRegularTriangulationFilter&) = delete;
-
-  std::shared_ptr<vtkFFKeptTriangulation> Kept;
 };
 VTK_ABI_NAMESPACE_END
 

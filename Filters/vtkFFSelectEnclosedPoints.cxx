@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFSelectEnclosedPoints.h"
 
-#include "vtkFFInput.h"
-#include "vtkFFRun.h"
-#include "vtkFFStamp.h"
+#include "FFBlocks.h"
+#include "FFInput.h"
+#include "FFRun.h"
 
 #include <flipflop/ConvexHull.h>
 #include <flipflop/HullQueries.h>
@@ -30,10 +30,9 @@
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFSelectEnclosedPoints);
 
-/// The hull of a surface's points, ready for questions.
-struct vtkFFPreparedHull
+/// The hull of a surface's points, ready for queries.
+struct FFPreparedHull
 {
-  vtkFFStamp Stamp;
   int Dimension;
   flipflop::HullQueries Queries;
 };
@@ -42,22 +41,6 @@ namespace
 {
 
 constexpr double shareOfHull = 0.4; // of the progress of a run that makes one
-
-std::unique_ptr<const vtkFFPreparedHull> prepare(
-  vtkFFSelectEnclosedPoints* filter, vtkDataObject* surface, vtkFFRun& run)
-{
-  const vtkFFStamp stamp(filter, surface);
-  vtkFFInput input;
-  input.Take(vtkFFInput::PiecesOf(surface), filter->GetSkipGhostPoints(), run, " of the surface");
-  run.SetPart(0.0, 0.8 * shareOfHull);
-  const flipflop::Hull hull = flipflop::convexHull(input.GetView(), run.Options);
-  run.SetPart(0.8 * shareOfHull, shareOfHull);
-  flipflop::HullQueries queries(input.GetView(), hull, run.Options);
-  run.Parts.clear(); // what errors are about from now on is the input
-  run.Ids.clear();
-  return std::unique_ptr<const vtkFFPreparedHull>(
-    new vtkFFPreparedHull{ stamp, hull.dimension, std::move(queries) });
-}
 
 }
 
@@ -68,87 +51,72 @@ vtkFFSelectEnclosedPoints::vtkFFSelectEnclosedPoints() = default;
 vtkFFSelectEnclosedPoints::~vtkFFSelectEnclosedPoints() = default;
 
 //------------------------------------------------------------------------------
-void vtkFFSelectEnclosedPoints::SetSurfaceData(vtkDataObject* surface)
+double vtkFFSelectEnclosedPoints::Prepare(vtkDataObject* surface, FFRun& run)
 {
-  this->SetInputData(1, surface);
+  if (this->Prepared && this->IsPrepared(surface))
+  {
+    return 0.0;
+  }
+  this->Prepared.reset();
+  FFInput input;
+  input.Take(FFBlocks::PiecesOf(surface), this->SkipGhostPoints, run, " of the surface");
+  run.SetPart(0.0, 0.8 * shareOfHull);
+  const flipflop::Hull hull = flipflop::convexHull(input.GetView(), run.Options);
+  run.SetPart(0.8 * shareOfHull, shareOfHull);
+  flipflop::HullQueries queries(input.GetView(), hull, run.Options);
+  this->Prepared.reset(new FFPreparedHull{ hull.dimension, std::move(queries) });
+  this->SetPrepared(surface);
+  return shareOfHull;
 }
 
 //------------------------------------------------------------------------------
-void vtkFFSelectEnclosedPoints::SetSurfaceConnection(vtkAlgorithmOutput* output)
+void vtkFFSelectEnclosedPoints::Execute(vtkDataObject* data, vtkDataSet* result, FFRun& run)
 {
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-vtkDataObject* vtkFFSelectEnclosedPoints::GetSurface()
-{
-  return this->GetNumberOfInputConnections(1) > 0 ? this->GetExecutive()->GetInputData(1, 0)
-                                                  : nullptr;
+  FFInput input;
+  const vtkIdType count = input.Take(FFBlocks::PiecesOf(data), false, run);
+  result->ShallowCopy(data);
+  vtkNew<vtkSignedCharArray> sides;
+  sides->SetName("FlipFlopSide");
+  sides->SetNumberOfValues(count);
+  static_assert(sizeof(signed char) == sizeof(std::int8_t), "the same type by two names");
+  std::int8_t* const side = sides->GetPointer(0);
+  const double end = this->GenerateDistances ? 0.3 : 1.0;
+  run.SetPart(0.0, end);
+  this->Prepared->Queries.contains(input.GetView(), side, run.Options);
+  vtkPointData* const arrays = result->GetPointData();
+  if (this->GenerateDistances)
+  {
+    vtkNew<vtkDoubleArray> distances;
+    distances->SetName("FlipFlopDistance");
+    distances->SetNumberOfValues(count);
+    run.SetPart(end, 1.0);
+    this->Prepared->Queries.distance(input.GetView(), distances->GetPointer(0), run.Options);
+    arrays->AddArray(distances);
+  }
+  vtkNew<vtkUnsignedCharArray> selected;
+  selected->SetName("SelectedPoints");
+  selected->SetNumberOfValues(count);
+  std::transform(side, side + count, selected->GetPointer(0),
+    [&](std::int8_t one)
+    { return static_cast<unsigned char>(this->IsEnclosed(one) != this->InsideOut); });
+  arrays->AddArray(sides);
+  // SetScalars() would remove the array that was active.
+  arrays->SetActiveAttribute(arrays->AddArray(selected), vtkDataSetAttributes::SCALARS);
+  run.Report.Dimension = this->Prepared->Dimension;
 }
 
 //------------------------------------------------------------------------------
 int vtkFFSelectEnclosedPoints::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataObject* const points = vtkDataObject::GetData(inputVector[0]);
-  vtkDataObject* const surface = vtkDataObject::GetData(inputVector[1]);
-  vtkDataSet* const output = vtkDataSet::GetData(outputVector);
-  vtkFFRun run(this, "Points in convex hull", outputVector);
   this->SelectedPoints = nullptr;
-  if (this->IsSecondAtFault)
+  const int done = this->Superclass::RequestData(request, inputVector, outputVector);
+  if (vtkDataSet* const output = vtkDataSet::GetData(outputVector))
   {
-    output->Initialize();
-    return 1;
+    this->SelectedPoints = vtkUnsignedCharArray::SafeDownCast(
+      output->GetPointData()->GetAbstractArray("SelectedPoints"));
   }
-  double begin = 0.0;
-  run.Do(
-    [&]
-    {
-      if (!this->Prepared || !(this->Prepared->Stamp == vtkFFStamp(this, surface)))
-      {
-        this->Prepared.reset();
-        this->Prepared = prepare(this, surface, run);
-        begin = shareOfHull;
-      }
-    });
-  this->IsSecondAtFault = static_cast<bool>(run.Failure);
-  run.Do(
-    [&]
-    {
-      vtkFFInput input;
-      const vtkIdType count = input.Take(vtkFFInput::PiecesOf(points), false, run);
-      output->ShallowCopy(points);
-      vtkNew<vtkSignedCharArray> sides;
-      sides->SetName("FlipFlopSide");
-      sides->SetNumberOfValues(count);
-      static_assert(sizeof(signed char) == sizeof(std::int8_t), "the same type by two names");
-      std::int8_t* const side = sides->GetPointer(0);
-      const double end = this->GenerateDistances ? begin + 0.3 * (1.0 - begin) : 1.0;
-      run.SetPart(begin, end);
-      this->Prepared->Queries.contains(input.GetView(), side, run.Options);
-      if (this->GenerateDistances)
-      {
-        vtkNew<vtkDoubleArray> distances;
-        distances->SetName("FlipFlopDistance");
-        distances->SetNumberOfValues(count);
-        run.SetPart(end, 1.0);
-        this->Prepared->Queries.distance(input.GetView(), distances->GetPointer(0), run.Options);
-        output->GetPointData()->AddArray(distances);
-      }
-      vtkNew<vtkUnsignedCharArray> selected;
-      selected->SetName("SelectedPoints");
-      selected->SetNumberOfValues(count);
-      std::transform(side, side + count, selected->GetPointer(0),
-        [&](std::int8_t one)
-        { return static_cast<unsigned char>(this->IsEnclosed(one) != this->InsideOut); });
-      output->GetPointData()->AddArray(sides);
-      // SetScalars() would remove the array that was active.
-      const int index = output->GetPointData()->AddArray(selected);
-      output->GetPointData()->SetActiveAttribute(index, vtkDataSetAttributes::SCALARS);
-      this->SelectedPoints = run.IsInComposite() ? nullptr : selected.Get();
-      this->Dimension = this->Prepared->Dimension;
-    });
-  return run.Finish();
+  return done;
 }
 
 //------------------------------------------------------------------------------
@@ -164,9 +132,7 @@ int vtkFFSelectEnclosedPoints::IsInside(vtkIdType inputPointId)
 void vtkFFSelectEnclosedPoints::Initialize(vtkDataObject* surface)
 {
   this->Complete();
-  this->Dimension = -1;
-  this->SetErrorCode(vtkFFErrorCode::NoError);
-  vtkFFRun run(this, "Points in convex hull", nullptr);
+  FFRun run(this, this->GetTitle());
   run.Options.progress = nullptr; // it is no run of the pipeline's, which could be stopped
   run.Do(
     [&]
@@ -175,10 +141,10 @@ void vtkFFSelectEnclosedPoints::Initialize(vtkDataObject* surface)
       {
         throw std::runtime_error("There is no surface. Set one.");
       }
-      this->Prepared = prepare(this, surface, run);
-      this->Dimension = this->Prepared->Dimension;
+      this->Prepare(surface, run);
+      run.Report.Dimension = this->Prepared->Dimension;
     });
-  run.Finish();
+  run.Finish({});
 }
 
 //------------------------------------------------------------------------------

@@ -51,61 +51,58 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;
 class vtkDataObject;
 class vtkUnsignedCharArray;
-struct vtkFFPreparedHull;
+struct FFPreparedHull;
 
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFSelectEnclosedPoints
   : public vtkFFQueryAlgorithm
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFSelectEnclosedPoints* New();
   vtkTypeMacro(vtkFFSelectEnclosedPoints, vtkFFQueryAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the surface (the input of port 1). The convex hull of its points is the region.
    */
-  void SetSurfaceData(vtkDataObject* surface);
-  void SetSurfaceConnection(vtkAlgorithmOutput* output);
-  vtkDataObject* GetSurface();
-  //@}
+  void SetSurfaceData(vtkDataObject* surface) { this->SetInputData(1, surface); }
+  void SetSurfaceConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  vtkDataObject* GetSurface() { return this->GetSecondInput(); }
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether the points that are not enclosed are selected instead. Off by default.
    */
-  virtual void SetInsideOut(bool on) { this->ChangeOutput(this->InsideOut, on); }
+  vtkSetMacro(InsideOut, bool);
   vtkGetMacro(InsideOut, bool);
   vtkBooleanMacro(InsideOut, bool);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether points on the surface count as enclosed. On by default.
    */
-  virtual void SetSelectPointsOnSurface(bool on)
-  {
-    this->ChangeOutput(this->SelectPointsOnSurface, on);
-  }
+  vtkSetMacro(SelectPointsOnSurface, bool);
   vtkGetMacro(SelectPointsOnSurface, bool);
   vtkBooleanMacro(SelectPointsOnSurface, bool);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether the output has the distance of each point from the surface. Off by default. The
    * distance's sign is exact: negative inside, 0 on the surface, positive outside. Its value is off
    * by no more than 1e-14 times the distance to the farthest vertex.
    */
-  virtual void SetGenerateDistances(bool on) { this->ChangeOutput(this->GenerateDistances, on); }
+  vtkSetMacro(GenerateDistances, bool);
   vtkGetMacro(GenerateDistances, bool);
   vtkBooleanMacro(GenerateDistances, bool);
-  //@}
+  ///@}
 
   /**
    * Whether the last run selected this point of the input (1) or not (0). 0 also for a point that
@@ -113,7 +110,7 @@ public:
    */
   int IsInside(vtkIdType inputPointId);
 
-  //@{
+  ///@{
   /**
    * Ask about single points, also without a run. Initialize() prepares the hull of a surface's
    * points; a run does that, too. IsInsideSurface() then gives 1 for enclosed points (also those on
@@ -126,7 +123,7 @@ public:
   int IsInsideSurface(const double x[3]);
   int IsInsideSurface(double x, double y, double z);
   void Complete();
-  //@}
+  ///@}
 
 protected:
   vtkFFSelectEnclosedPoints();
@@ -134,6 +131,9 @@ protected:
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  double Prepare(vtkDataObject* surface, FFRun& run) override;
+  void Execute(vtkDataObject* data, vtkDataSet* result, FFRun& run) override;
+  const char* GetTitle() const override { return "Points in convex hull"; }
 
   bool InsideOut = false;
   bool SelectPointsOnSurface = true;
@@ -145,7 +145,7 @@ private:
 
   bool IsEnclosed(int side) const { return side >= (this->SelectPointsOnSurface ? 0 : 1); }
 
-  std::unique_ptr<const vtkFFPreparedHull> Prepared;    ///< null: there is none
+  std::unique_ptr<const FFPreparedHull> Prepared;       ///< null: there is none
   vtkSmartPointer<vtkUnsignedCharArray> SelectedPoints; ///< of the last run
 };
 VTK_ABI_NAMESPACE_END

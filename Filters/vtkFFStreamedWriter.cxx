@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFStreamedWriter.h"
 
+#include "FFInput.h"
+#include "FFInputPieces.h"
+#include "FFOutput.h"
+#include "FFPlanarInput.h"
+#include "FFRun.h"
+#include "FFStreamedFiles.h"
+#include "FFStreamedInput.h"
 #include "vtkFFErrorCode.h"
-#include "vtkFFInput.h"
-#include "vtkFFInputPieces.h"
-#include "vtkFFOutput.h"
-#include "vtkFFPlanarInput.h"
-#include "vtkFFRun.h"
-#include "vtkFFStreamedFiles.h"
-#include "vtkFFStreamedInput.h"
 
 #include <flipflop/StreamedRun.h>
 
@@ -42,13 +42,13 @@ namespace
 
 /// A block as poly data.
 vtkSmartPointer<vtkPolyData> makeBlock(
-  flipflop::StreamedBlock& block, const vtkFFPointRecords& records)
+  flipflop::StreamedBlock& block, const FFPointRecords& records)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   records.Unpack(block.records, data);
   flipflop::CellComplex& cells = block.result.cells;
-  vtkFFOutput::AdoptCells(cells, data);
-  vtkFFOutput::AddIds(vtkFFOutput::AdoptIds(cells.pointIds), data->GetPointData());
+  FFOutput::AdoptCells(cells, data);
+  FFOutput::AddIds(FFOutput::AdoptIds(cells.pointIds), data->GetPointData());
   return data;
 }
 
@@ -63,19 +63,19 @@ void dropLongCells(double longest, const flipflop::Options& chosen, flipflop::Bl
   flipflop::Buffer<std::int64_t> ids(cells.pointIds.size());
   std::iota(ids.begin(), ids.end(), std::int64_t(0));
   std::swap(ids, cells.pointIds);
-  vtkFFPlanarInput::DropLongCells(
+  FFPlanarInput::DropLongCells(
     { block.positions.data(), static_cast<std::int64_t>(ids.size()) }, longest, options, cells);
   std::swap(ids, cells.pointIds);
 }
 
 /// A failure at a file.
-void sayOfFile(const std::filesystem::filesystem_error& error, vtkFFFailure& failure)
+void sayOfFile(const std::filesystem::filesystem_error& error, FFFailure& failure)
 {
   const bool isFull =
     error.code() == std::errc::no_space_on_device || error.code() == std::errc::file_too_large;
   const bool mayBeDamaged =
     error.code() == std::errc::io_error || error.code() == std::errc::no_such_file_or_directory;
-  failure.Say("The file " + vtkFFStreamedFiles::ToText(error.path1()) +
+  failure.Say("The file " + FFStreamedFiles::ToText(error.path1()) +
       " cannot be written or read: " + error.code().message() +
       (mayBeDamaged ? "; if it is damaged or missing, remove its folder" : "") +
       ". Write again to go on.",
@@ -97,7 +97,7 @@ vtkFFStreamedWriter::~vtkFFStreamedWriter()
 //------------------------------------------------------------------------------
 int vtkFFStreamedWriter::FillInputPortInformation(int, vtkInformation* info)
 {
-  vtkFFInput::AcceptWhole(info);
+  FFBlocks::AcceptWhole(info);
   return 1;
 }
 
@@ -108,7 +108,7 @@ vtkTypeBool vtkFFStreamedWriter::ProcessRequest(
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
   {
     vtkInformation* const input = inputVector[0]->GetInformationObject(0);
-    vtkFFInputPieces::Request(input, 0, vtkFFInputPieces::Count(input, this->NumberOfPieces));
+    FFInputPieces::Request(input, 0, FFInputPieces::Count(input, this->NumberOfPieces));
     return 1;
   }
   return this->Superclass::ProcessRequest(request, inputVector, outputVector);
@@ -122,13 +122,13 @@ int vtkFFStreamedWriter::Write()
   this->Superclass::Write();
   if (!this->IsTried && this->GetNumberOfInputConnections(0) > 0)
   {
-    vtkFFRun run(this, "", this->NumberOfThreads, nullptr,
-      [this](unsigned long code) { this->SetErrorCode(code); });
+    FFRun run(this, "", this->NumberOfThreads,
+      [this](const vtkFFReport&, unsigned long code) { this->SetErrorCode(code); });
     vtkInformation* const input = this->GetInputInformation();
-    run.Do([&] { vtkFFInputPieces::Check(input, false); });
-    const int count = vtkFFInputPieces::Count(input, this->NumberOfPieces);
-    run.NameFailure(count > 1 ? vtkFFInputPieces::Describe(0, count) : std::string());
-    run.Finish();
+    run.Do([&] { FFInputPieces::Check(input, false); });
+    const int count = FFInputPieces::Count(input, this->NumberOfPieces);
+    run.NameFailure(count > 1 ? FFInputPieces::Describe(0, count) : std::string());
+    run.Finish({});
   }
   return this->IsWritten;
 }
@@ -160,11 +160,12 @@ void vtkFFStreamedWriter::ForgetReport()
 //------------------------------------------------------------------------------
 void vtkFFStreamedWriter::WriteData()
 {
-  vtkFFRun run(this, this->Shape == HULL ? "Streamed hull" : "Streamed triangulation",
-    this->NumberOfThreads, nullptr, [this](unsigned long code) { this->SetErrorCode(code); });
+  FFRun run(this, this->Shape == HULL ? "Streamed hull" : "Streamed triangulation",
+    this->NumberOfThreads,
+    [this](const vtkFFReport&, unsigned long code) { this->SetErrorCode(code); });
   run.Options.facets = static_cast<flipflop::FacetMode>(this->FacetMode);
   run.Options.nonFinite = static_cast<flipflop::NonFinitePolicy>(this->NonFinitePoints);
-  vtkFFStreamedInput input(this, run, this->GetInputInformation());
+  FFStreamedInput input(this, run, this->GetInputInformation());
   flipflop::StreamReport report;
   run.Do(
     [&]
@@ -185,7 +186,7 @@ void vtkFFStreamedWriter::WriteData()
     });
   if (run.Failure && input.Current >= 0 && input.GetNumberOfPieces() > 1)
   {
-    run.NameFailure(vtkFFInputPieces::Describe(input.Current, input.GetNumberOfPieces()));
+    run.NameFailure(FFInputPieces::Describe(input.Current, input.GetNumberOfPieces()));
   }
   if (!run.Failure)
   {
@@ -199,21 +200,21 @@ void vtkFFStreamedWriter::WriteData()
     this->Area = report.area;
     this->IsWritten = true;
   }
-  run.Finish();
+  run.Finish({});
 }
 
 //------------------------------------------------------------------------------
-flipflop::StreamReport vtkFFStreamedWriter::WriteFiles(vtkFFStreamedInput& input, vtkFFRun& run)
+flipflop::StreamReport vtkFFStreamedWriter::WriteFiles(FFStreamedInput& input, FFRun& run)
 {
   if (!this->FileName || !*this->FileName)
   {
     run.Failure.Say("There is no File Name.", vtkErrorCode::NoFileNameError);
     return {};
   }
-  vtkFFRun::CheckLength(this->MaximumEdgeLength, "Maximum Edge Length", "edges of any length");
-  const vtkFFStreamedFiles files(this->FileName);
+  FFFailure::CheckLength(this->MaximumEdgeLength, "Maximum Edge Length", "edges of any length");
+  const FFStreamedFiles files(this->FileName);
   input.Begin();
-  const vtkFFPointRecords& records = input.GetRecords();
+  const FFPointRecords& records = input.GetRecords();
   this->WarnOfLeftOut(records.GetLeftOut());
   flipflop::StreamSettings settings;
   settings.shape = input.GetShape();
@@ -221,13 +222,13 @@ flipflop::StreamReport vtkFFStreamedWriter::WriteFiles(vtkFFStreamedInput& input
   settings.memory = static_cast<std::int64_t>(this->MemoryLimit) * 1024;
   settings.blockPoints = static_cast<std::int64_t>(this->PointsPerBlock);
   settings.recordSize = records.GetSize();
-  vtkFFWorkFolder folder(this->WorkFolder, files);
+  FFWorkFolder folder(this->WorkFolder, files);
   settings.folder = folder.GetPath();
   const double longest = this->Shape == HULL ? 0.0 : this->MaximumEdgeLength;
   std::ostringstream length;
   length << std::hexfloat << longest;
   std::string key =
-    vtkFFStreamedFiles::ToText(files.GetFile()) + " " + records.Describe() + " " + length.str();
+    FFStreamedFiles::ToText(files.GetFile()) + " " + records.Describe() + " " + length.str();
   for (const int choice : { static_cast<int>(settings.shape), this->FacetMode,
          this->NonFinitePoints, input.GetNumberOfPieces() })
   {
@@ -236,7 +237,7 @@ flipflop::StreamReport vtkFFStreamedWriter::WriteFiles(vtkFFStreamedInput& input
   folder.Begin(key,
     [&](std::int64_t piece)
     {
-      vtkFFRun::Look(run.Options);
+      FFRun::Look(run.Options);
       return input.Read(static_cast<int>(piece));
     });
   const auto read = [&](std::int64_t number)

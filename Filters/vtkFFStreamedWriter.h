@@ -65,20 +65,20 @@ struct StreamReport;
 }
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkFFRun;
-class vtkFFStreamedInput;
+class FFRun;
+class FFStreamedInput;
 
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFStreamedWriter : public vtkWriter
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFStreamedWriter* New();
   vtkTypeMacro(vtkFFStreamedWriter, vtkWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
   /**
    * What is written.
@@ -89,20 +89,20 @@ public:
     HULL = 1
   };
 
-  //@{
+  ///@{
   /**
    * Set/Get the name of the file, which ends with .vtpd. Its folder must exist.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
-  //@}
+  ///@}
 
   /**
    * The ending of the file's name, and what it holds.
    */
   const char* GetDefaultFileExtension() { return "vtpd"; }
 
-  //@{
+  ///@{
   /**
    * Set/Get what is written: TRIANGULATION (the default) is the regular triangulation in the XY
    * plane, HULL the convex hull. Weights come from a point array, as vtkFFPlanarAlgorithm says:
@@ -114,9 +114,9 @@ public:
    */
   vtkSetClampMacro(Shape, int, TRIANGULATION, HULL);
   vtkGetMacro(Shape, int);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get what the values of the weights' array are, vtkFFPlanarAlgorithm::WEIGHTS (the default)
    * or RADII, and the factor of all, 1 by default: as in vtkFFPlanarAlgorithm.
@@ -125,9 +125,9 @@ public:
   vtkGetMacro(WeightMode, int);
   vtkSetMacro(WeightFactor, double);
   vtkGetMacro(WeightFactor, double);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the length of the longest edge that the cells of a triangulation may have, as in
    * vtkFFRegularTriangulationFilter. 0 by default: any. A negative number and NaN are an error of
@@ -135,54 +135,54 @@ public:
    */
   vtkSetMacro(MaximumEdgeLength, double);
   vtkGetMacro(MaximumEdgeLength, double);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get how facets are given: vtkFFAlgorithm::FACETS_AS_TRIANGLES (the default) or
    * FACETS_AS_POLYGONS.
    */
   vtkSetClampMacro(FacetMode, int, 0, 1);
   vtkGetMacro(FacetMode, int);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the number of pieces that the input is asked for. The default is 1. One piece must fit
    * in memory, some times over.
    */
   vtkSetClampMacro(NumberOfPieces, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfPieces, int);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the memory that the work may take, about, in kibibytes, beside a piece and a block's
    * result. The default is 1048576, one gibibyte; 1024 is the least.
    */
   vtkSetClampMacro(MemoryLimit, vtkIdType, 1024, VTK_ID_MAX / 1024);
   vtkGetMacro(MemoryLimit, vtkIdType);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get about how many points a block has. 0 (the default): as many as MemoryLimit lets each
    * thread have.
    */
   vtkSetClampMacro(PointsPerBlock, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(PointsPerBlock, vtkIdType);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the number of threads, each of which works on a block. 0 (the default) means as many as
    * vtkSMPTools uses, -1 all that the machine has.
    */
   vtkSetClampMacro(NumberOfThreads, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get what to do with points that have a NaN or infinite coordinate or weight:
    * vtkFFAlgorithm::NON_FINITE_ERROR (the default) names the first one of a piece,
@@ -190,26 +190,26 @@ public:
    */
   vtkSetClampMacro(NonFinitePoints, int, 0, 1);
   vtkGetMacro(NonFinitePoints, int);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether ghost points are left out: on by default, see
    * vtkFFAlgorithm::SetSkipGhostPoints(). Ids do not count them.
    */
   vtkSetMacro(SkipGhostPoints, bool);
   vtkGetMacro(SkipGhostPoints, bool);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether the input's point data is passed. On by default.
    */
   vtkSetMacro(PassPointData, bool);
   vtkGetMacro(PassPointData, bool);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the folder where points wait: 100 to 200 bytes for each, and twice its data. None by
    * default: a folder name.work beside the file name.vtpd. It is made if it is not there, and is of
@@ -217,9 +217,9 @@ public:
    */
   vtkSetFilePathMacro(WorkFolder);
   vtkGetFilePathMacro(WorkFolder);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Get what the last Write() found: how many points all pieces have, without ghosts that are left
    * out, and how many of these are not finite, and hidden (of a hull: not strictly extreme); the
@@ -235,7 +235,7 @@ public:
   vtkGetMacro(Dimension, int);
   vtkGetMacro(Volume, double);
   vtkGetMacro(Area, double);
-  //@}
+  ///@}
 
   /**
    * Write the file. Returns 1 if it is there, and 0 after an error or an abort.
@@ -274,7 +274,7 @@ private:
 
   void ForgetReport();
   void WarnOfLeftOut(const std::vector<std::string>& names);
-  flipflop::StreamReport WriteFiles(vtkFFStreamedInput& input, vtkFFRun& run);
+  flipflop::StreamReport WriteFiles(FFStreamedInput& input, FFRun& run);
 
   vtkIdType NumberOfInputPoints = 0;
   vtkIdType NumberOfNonFinitePoints = 0;

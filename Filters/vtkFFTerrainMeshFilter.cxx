@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFTerrainMeshFilter.h"
 
-#include "vtkFFConstraints.h"
-#include "vtkFFInput.h"
-#include "vtkFFOutput.h"
-#include "vtkFFPlanarInput.h"
-#include "vtkFFPointSource.h"
-#include "vtkFFRun.h"
-#include "vtkFFWeightSource.h"
+#include "FFConstraints.h"
+#include "FFInput.h"
+#include "FFOutput.h"
+#include "FFPlanarInput.h"
+#include "FFPointSource.h"
+#include "FFRun.h"
+#include "FFWeightSource.h"
 
 #include <flipflop/TerrainMesh.h>
 
@@ -57,15 +57,15 @@ public:
     double* to = this->Memory.data();
     for (std::int64_t i = 0; i < points.count; ++i)
     {
-      *to++ = vtkFFPlanarInput::NumberAt(points, i * points.stride);
-      *to++ = vtkFFPlanarInput::NumberAt(points, i * points.stride + 1);
-      *to++ = vtkFFPlanarInput::NumberAt(heights, i * heights.stride);
+      *to++ = FFPlanarInput::NumberAt(points, i * points.stride);
+      *to++ = FFPlanarInput::NumberAt(points, i * points.stride + 1);
+      *to++ = FFPlanarInput::NumberAt(heights, i * heights.stride);
     }
     this->View = flipflop::PointView(this->Memory.data(), points.count);
   }
   double HeightOf(std::int64_t i) const
   {
-    return vtkFFPlanarInput::NumberAt(this->View, i * this->View.stride + 2);
+    return FFPlanarInput::NumberAt(this->View, i * this->View.stride + 2);
   }
 
   flipflop::PointView View;
@@ -78,7 +78,7 @@ private:
 class Survey
 {
 public:
-  Survey(vtkFFTerrainMeshFilter* filter, vtkFFInput& input, vtkFFRun& run)
+  Survey(vtkFFTerrainMeshFilter* filter, FFInput& input, FFRun& run)
     : Filter(filter)
     , Run(run)
     , Points(input.GetPieces()[0])
@@ -91,16 +91,16 @@ public:
   }
 
   static vtkDataArray* FindHeights(
-    vtkFFTerrainMeshFilter* filter, vtkDataSet* points, const vtkFFRun& run, const char* owner)
+    vtkFFTerrainMeshFilter* filter, vtkDataSet* points, const FFRun& run, const char* owner)
   {
-    return vtkFFWeightSource::FindArray(filter, points, run.OfWhat(), owner, "height");
+    return FFWeightSource::FindArray(filter, points, run.OfWhat(), owner, "height");
   }
 
   /// Let those of the source join.
-  void Join(vtkFFConstraints& constraints, vtkPolyData* source)
+  void Join(FFConstraints& constraints, vtkPolyData* source)
   {
     this->Own.emplace(source->GetPoints() ? source->GetPoints()->GetData() : nullptr);
-    const vtkFFWeightSource ownHeights(
+    const FFWeightSource ownHeights(
       FindHeights(this->Filter, source, this->Run, "source"), flipflop::WeightRule(), "height");
     this->Given.emplace(this->Coordinates->GetView(), this->Heights);
     this->Joining.emplace(this->Own->GetView(), ownHeights.GetView());
@@ -123,7 +123,7 @@ public:
   }
 
   /// Cells become an output, with their points and these points' data.
-  void Write(flipflop::CellComplex& cells, const std::optional<vtkFFConstraints>& constraints,
+  void Write(flipflop::CellComplex& cells, const std::optional<FFConstraints>& constraints,
     vtkPolyData* output) const
   {
     std::vector<vtkSmartPointer<vtkDataArray>> marks;
@@ -131,17 +131,17 @@ public:
     {
       marks = constraints->MarkPoints(cells.pointIds);
     }
-    std::vector<vtkFFOutput::Source> data;
+    std::vector<FFOutput::Source> data;
     if (this->Filter->GetPassPointData())
     {
       data.push_back({ this->Points->GetPointData(), this->Points->GetNumberOfPoints() });
     }
-    vtkFFOutput::Adopt(cells, *this->Coordinates, data, output);
-    vtkFFOutput::Renumber(
+    FFOutput::Adopt(cells, *this->Coordinates, data, output);
+    FFOutput::Renumber(
       output->GetPointData(), [this](vtkIdType id) { return this->Run.GetId(id); });
     if (this->Filter->GetVisiblePointIds())
     {
-      vtkFFOutput::ShowIds(output->GetPointData());
+      FFOutput::ShowIds(output->GetPointData());
     }
     for (const auto& array : marks)
     {
@@ -150,7 +150,7 @@ public:
   }
 
   /// The points that are not kept, with their errors.
-  void WriteRest(flipflop::TerrainMesh& mesh, const std::optional<vtkFFConstraints>& constraints,
+  void WriteRest(flipflop::TerrainMesh& mesh, const std::optional<FFConstraints>& constraints,
     vtkPolyData* output) const
   {
     vtkNew<vtkDoubleArray> errors;
@@ -194,20 +194,20 @@ private:
   }
 
   vtkFFTerrainMeshFilter* const Filter;
-  vtkFFRun& Run;
+  FFRun& Run;
   vtkSmartPointer<vtkPointSet> Points;
-  std::optional<vtkFFPointSource> Coordinates;
-  std::optional<vtkFFWeightSource> HeightArray;
+  std::optional<FFPointSource> Coordinates;
+  std::optional<FFWeightSource> HeightArray;
   flipflop::WeightView Heights; // none: z
   flipflop::Buffer<double> AllHeights;
-  std::optional<vtkFFPointSource> Own;
+  std::optional<FFPointSource> Own;
   std::optional<HeightSpace> Given, Joining;
 };
 
 /// The mesh, of the source's own points, too, if its cells name them; errors of constraints name
 /// its cells.
-flipflop::TerrainMesh meshOf(Survey& survey, std::optional<vtkFFConstraints>& constraints,
-  vtkPolyData* source, const flipflop::TerrainMeshOptions& terrain, vtkFFRun& run)
+flipflop::TerrainMesh meshOf(Survey& survey, std::optional<FFConstraints>& constraints,
+  vtkPolyData* source, const flipflop::TerrainMeshOptions& terrain, FFRun& run)
 {
   flipflop::TerrainMesh mesh;
   const auto work = [&]
@@ -220,8 +220,38 @@ flipflop::TerrainMesh meshOf(Survey& survey, std::optional<vtkFFConstraints>& co
     }
     mesh = survey.Mesh(constraints ? constraints->GetView() : flipflop::ConstraintView(), terrain);
   };
-  vtkFFConstraints::Do(constraints, run, work);
+  FFConstraints::Do(constraints, run, work);
   return mesh;
+}
+
+/// The limits that the filter's settings are.
+flipflop::TerrainMeshOptions optionsOf(vtkFFTerrainMeshFilter* filter)
+{
+  flipflop::TerrainMeshOptions terrain;
+  terrain.maxVertices = filter->GetMaximumNumberOfVertices();
+  terrain.isFraction = filter->GetTolerance() == -1.0;
+  terrain.tolerance = terrain.isFraction ? 0.01 : filter->GetTolerance();
+  if (!(terrain.tolerance >= 0.0))
+  {
+    std::ostringstream message;
+    message << "Tolerance is " << filter->GetTolerance()
+            << "; it must be 0 or more, or -1 for a hundredth of the heights' range.";
+    throw FFBadSetting(message.str());
+  }
+  return terrain;
+}
+
+void addToFieldData(
+  const flipflop::TerrainMesh& mesh, const vtkFFReport& report, vtkFieldData* data)
+{
+  FFOutput::AddValue(data, "FlipFlopTolerance", mesh.tolerance);
+  FFOutput::AddValue(data, "FlipFlopGreatestError", mesh.greatestError);
+  FFOutput::AddValue(data, "FlipFlopPointsBeyond", mesh.beyond);
+  FFOutput::AddValue(data, "FlipFlopUnreachablePoints", mesh.unreachable);
+  FFOutput::AddValue(
+    data, "FlipFlopAddedPoints", static_cast<std::int64_t>(report.NumberOfAddedPoints));
+  FFOutput::AddValue(
+    data, "FlipFlopHeightDifferences", static_cast<std::int64_t>(report.NumberOfHeightDifferences));
 }
 
 }
@@ -237,128 +267,47 @@ vtkFFTerrainMeshFilter::vtkFFTerrainMeshFilter()
 vtkFFTerrainMeshFilter::~vtkFFTerrainMeshFilter() = default;
 
 //------------------------------------------------------------------------------
-void vtkFFTerrainMeshFilter::SetSourceData(vtkPolyData* source)
+void vtkFFTerrainMeshFilter::Execute(vtkDataObject* data, vtkInformationVector** inputVector,
+  const std::vector<vtkDataObject*>& results, FFRun& run)
 {
-  this->SetInputData(1, source);
-}
-
-//------------------------------------------------------------------------------
-void vtkFFTerrainMeshFilter::SetSourceConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-vtkPolyData* vtkFFTerrainMeshFilter::GetSource()
-{
-  return this->GetNumberOfInputConnections(1) > 0
-    ? vtkPolyData::SafeDownCast(this->GetExecutive()->GetInputData(1, 0))
-    : nullptr;
-}
-
-//------------------------------------------------------------------------------
-int vtkFFTerrainMeshFilter::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 0)
-  {
-    return this->Superclass::FillInputPortInformation(port, info);
-  }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkFFTerrainMeshFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  vtkDataObject* const data = vtkDataObject::GetData(inputVector[0]);
-  vtkPolyData* const source = vtkPolyData::GetData(inputVector[1]);
-  vtkFFRun run(this, "Terrain mesh", outputVector);
   run.NonFiniteWhat = "A coordinate or a height";
-  run.Do(
-    [&]
-    {
-      run.UseCPU("terrain meshes are the CPU's");
-      const flipflop::TerrainMeshOptions terrain = this->GetOptions();
-      vtkFFConstraints::CheckSource(source, run);
-      auto* const points = vtkDataSet::SafeDownCast(data);
-      if (points)
-      {
-        Survey::FindHeights(this, points, run, "input"); // before ghosts are left out
-      }
-      vtkFFInput input;
-      input.Take(vtkFFInput::PiecesOf(data), this->SkipGhostPoints, run);
-      Survey survey(this, input, run);
-      std::optional<vtkFFConstraints> constraints;
-      if (source)
-      {
-        constraints.emplace(this->SourcePoints, source, points, run.Ids);
-      }
-      flipflop::TerrainMesh mesh = meshOf(survey, constraints, source, terrain, run);
-      this->GreatestError = std::max(this->GreatestError, mesh.greatestError);
-      this->NumberOfPointsBeyond += static_cast<vtkIdType>(mesh.beyond);
-      this->NumberOfUnreachablePoints += static_cast<vtkIdType>(mesh.unreachable);
-      if (constraints && constraints->HasOwnPoints())
-      {
-        run.SetPart(1.0, 1.0); // for whoever asks it to stop
-        this->NumberOfAddedPoints = constraints->GetNumberOfJoinedPoints();
-        this->NumberOfHeightDifferences =
-          constraints->FindHeights(survey.GetGiven(), mesh, run.Options);
-      }
-
-      vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
-      survey.WriteRest(mesh, constraints, vtkPolyData::GetData(outputVector, 1));
-      survey.Write(mesh, constraints, output);
-      run.AddToReport(mesh, output);
-      if (this->ReportAsFieldData)
-      {
-        this->AddToFieldData(mesh, output->GetFieldData());
-      }
-    });
-  return run.Finish();
-}
-
-//------------------------------------------------------------------------------
-flipflop::TerrainMeshOptions vtkFFTerrainMeshFilter::GetOptions() const
-{
-  flipflop::TerrainMeshOptions terrain;
-  terrain.maxVertices = this->MaximumNumberOfVertices;
-  terrain.isFraction = this->Tolerance == -1.0;
-  terrain.tolerance = terrain.isFraction ? 0.01 : this->Tolerance;
-  if (!(terrain.tolerance >= 0.0))
+  run.UseCPU("terrain meshes are the CPU's");
+  const flipflop::TerrainMeshOptions terrain = optionsOf(this);
+  vtkPolyData* const source = FFConstraints::SourceOf(inputVector, run);
+  auto* const points = vtkDataSet::SafeDownCast(data);
+  if (points)
   {
-    std::ostringstream message;
-    message << "Tolerance is " << this->Tolerance
-            << "; it must be 0 or more, or -1 for a hundredth of the heights' range.";
-    throw vtkFFBadSetting(message.str());
+    Survey::FindHeights(this, points, run, "input"); // before ghosts are left out
   }
-  return terrain;
-}
+  FFInput input;
+  input.Take(FFBlocks::PiecesOf(data), this->SkipGhostPoints, run);
+  Survey survey(this, input, run);
+  std::optional<FFConstraints> constraints;
+  if (source)
+  {
+    constraints.emplace(this->SourcePoints, source, points, run.Ids);
+  }
+  flipflop::TerrainMesh mesh = meshOf(survey, constraints, source, terrain, run);
+  vtkFFReport& report = run.Report;
+  report.GreatestError = mesh.greatestError;
+  report.NumberOfPointsBeyond = static_cast<vtkIdType>(mesh.beyond);
+  report.NumberOfUnreachablePoints = static_cast<vtkIdType>(mesh.unreachable);
+  if (constraints && constraints->HasOwnPoints())
+  {
+    run.SetPart(1.0, 1.0); // for whoever asks it to stop
+    report.NumberOfAddedPoints = constraints->GetNumberOfJoinedPoints();
+    report.NumberOfHeightDifferences =
+      constraints->FindHeights(survey.GetGiven(), mesh, run.Options);
+  }
 
-//------------------------------------------------------------------------------
-void vtkFFTerrainMeshFilter::AddToFieldData(
-  const flipflop::TerrainMesh& mesh, vtkFieldData* report) const
-{
-  vtkFFOutput::AddValue(report, "FlipFlopTolerance", mesh.tolerance);
-  vtkFFOutput::AddValue(report, "FlipFlopGreatestError", mesh.greatestError);
-  vtkFFOutput::AddValue(report, "FlipFlopPointsBeyond", mesh.beyond);
-  vtkFFOutput::AddValue(report, "FlipFlopUnreachablePoints", mesh.unreachable);
-  vtkFFOutput::AddValue(
-    report, "FlipFlopAddedPoints", static_cast<std::int64_t>(this->NumberOfAddedPoints));
-  vtkFFOutput::AddValue(report, "FlipFlopHeightDifferences",
-    static_cast<std::int64_t>(this->NumberOfHeightDifferences));
-}
-
-//------------------------------------------------------------------------------
-void vtkFFTerrainMeshFilter::ForgetReport()
-{
-  this->Superclass::ForgetReport();
-  this->GreatestError = 0.0;
-  this->NumberOfPointsBeyond = 0;
-  this->NumberOfUnreachablePoints = 0;
-  this->NumberOfAddedPoints = 0;
-  this->NumberOfHeightDifferences = 0;
+  vtkPolyData* const output = vtkPolyData::SafeDownCast(results[0]);
+  survey.WriteRest(mesh, constraints, vtkPolyData::SafeDownCast(results[1]));
+  survey.Write(mesh, constraints, output);
+  run.AddToReport(mesh, output);
+  if (this->ReportAsFieldData)
+  {
+    addToFieldData(mesh, report, output->GetFieldData());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -367,11 +316,6 @@ void vtkFFTerrainMeshFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumNumberOfVertices: " << this->MaximumNumberOfVertices << "\n";
-  os << indent << "GreatestError: " << this->GreatestError << "\n";
-  os << indent << "NumberOfPointsBeyond: " << this->NumberOfPointsBeyond << "\n";
-  os << indent << "NumberOfUnreachablePoints: " << this->NumberOfUnreachablePoints << "\n";
   os << indent << "SourcePoints: " << this->SourcePoints << "\n";
-  os << indent << "NumberOfAddedPoints: " << this->NumberOfAddedPoints << "\n";
-  os << indent << "NumberOfHeightDifferences: " << this->NumberOfHeightDifferences << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -27,17 +27,17 @@
  * lowest id is the vertex. Others there, whose heights differ by more than the tolerance, are
  * counted by GetNumberOfUnreachablePoints(): no vertex helps them.
  *
- * The second input has the breaklines, as vtkFFConstrainedDelaunayFilter takes them: lines and
+ * The second input has the breaklines, as vtkFFRegularTriangulationFilter takes them: lines and
  * polygons whose sides are edges of the mesh, parted where a vertex is on them. They name points of
  * the input, or have points of their own, which join the others: see SetSourcePoints(). Of
  * polygons, only the sides count. Breaklines that cross between points are an error that names both
- * cells. vtkFFConstrainedDelaunayFilter splits them: its outputs can be the inputs of this filter.
+ * cells. vtkFFRegularTriangulationFilter splits them: its outputs can be the inputs of this filter.
  *
  * A height that is NaN or infinite is treated like a coordinate: see SetNonFinitePoints(). This
  * filter runs on the CPU engine; asking it for the CUDA engine is an error.
  *
  * @sa
- * vtkFFConstrainedDelaunayFilter vtkGreedyTerrainDecimation
+ * vtkFFRegularTriangulationFilter vtkGreedyTerrainDecimation
  */
 
 #ifndef vtkFFTerrainMeshFilter_h
@@ -47,30 +47,23 @@
 #include "vtkFFMarks.h"               // For VTK_MARSHALAUTO
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
-namespace flipflop
-{
-struct TerrainMesh;
-struct TerrainMeshOptions;
-}
-
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;
-class vtkFieldData;
 
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFTerrainMeshFilter : public vtkFFAlgorithm
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkFFTerrainMeshFilter* New();
   vtkTypeMacro(vtkFFTerrainMeshFilter, vtkFFAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
   /**
-   * Whose points the source's cells name: as vtkFFConstrainedDelaunayFilter::SourcePointsType.
+   * Whose points the source's cells name: as vtkFFRegularTriangulationFilter::SourcePointsType.
    */
   enum SourcePointsType
   {
@@ -79,21 +72,21 @@ public:
     OWN_POINTS = 2
   };
 
-  //@{
+  ///@{
   /**
    * Set/Get the second input, on port 1: the breaklines. None by default. SetSourcePoints() says
    * whose points they name.
    */
-  void SetSourceData(vtkPolyData* source);
-  void SetSourceConnection(vtkAlgorithmOutput* output);
+  void SetSourceData(vtkDataObject* source) { this->SetInputData(1, source); }
+  void SetSourceConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void RemoveSource() { this->SetSourceConnection(nullptr); }
-  vtkPolyData* GetSource();
-  //@}
+  vtkDataObject* GetSource() { return this->GetSecondInput(); }
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whose points the cells of the source name. AUTOMATIC_POINTS (the default), INPUT_POINTS
-   * and OWN_POINTS are as in vtkFFConstrainedDelaunayFilter::SetSourcePoints(), and so are point
+   * and OWN_POINTS are as in vtkFFRegularTriangulationFilter::SetSourcePoints(), and so are point
    * data and ids of own points that join the input's. INPUT_POINTS compares x and y alone.
    *
    * Own points that cells name are vertices of the mesh. At the x and y of a point of the input,
@@ -108,9 +101,12 @@ public:
    */
   vtkSetClampMacro(SourcePoints, int, AUTOMATIC_POINTS, OWN_POINTS);
   vtkGetMacro(SourcePoints, int);
-  //@}
+  void SetSourcePointsToAutomaticPoints() { this->SetSourcePoints(AUTOMATIC_POINTS); }
+  void SetSourcePointsToInputPoints() { this->SetSourcePoints(INPUT_POINTS); }
+  void SetSourcePointsToOwnPoints() { this->SetSourcePoints(OWN_POINTS); }
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the greatest vertical distance of a point from the mesh, in the unit of heights. 0: all
    * points are on the mesh. -1 (the default): a hundredth of the range of the heights, the highest
@@ -118,9 +114,9 @@ public:
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get how many vertices the mesh may have: no point is inserted once there are so many. The
    * corners of the convex hull and the ends of the breaklines are there in any case. 0 by default:
@@ -128,50 +124,41 @@ public:
    */
   vtkSetClampMacro(MaximumNumberOfVertices, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfVertices, vtkIdType);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Get, of the last run, the greatest distance of a point from the mesh; how many points are
    * farther than the tolerance (0: it is met, exactly); and how many of these are at the position
    * of a vertex that has another height. For several blocks: the greatest distance, and the sums.
    */
-  vtkGetMacro(GreatestError, double);
-  vtkGetMacro(NumberOfPointsBeyond, vtkIdType);
-  vtkGetMacro(NumberOfUnreachablePoints, vtkIdType);
-  //@}
+  double GetGreatestError() { return this->Report.GreatestError; }
+  vtkIdType GetNumberOfPointsBeyond() { return this->Report.NumberOfPointsBeyond; }
+  vtkIdType GetNumberOfUnreachablePoints() { return this->Report.NumberOfUnreachablePoints; }
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Get how many points of the source the last run added, and at how many points several heights
    * were given that differ.
    */
-  vtkGetMacro(NumberOfAddedPoints, vtkIdType);
-  vtkGetMacro(NumberOfHeightDifferences, vtkIdType);
-  //@}
+  vtkIdType GetNumberOfAddedPoints() { return this->Report.NumberOfAddedPoints; }
+  vtkIdType GetNumberOfHeightDifferences() { return this->Report.NumberOfHeightDifferences; }
+  ///@}
 
 protected:
   vtkFFTerrainMeshFilter();
   ~vtkFFTerrainMeshFilter() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  void ForgetReport() override;
+  void Execute(vtkDataObject* data, vtkInformationVector** inputVector,
+    const std::vector<vtkDataObject*>& results, FFRun& run) override;
+  const char* GetTitle() const override { return "Terrain mesh"; }
 
   int SourcePoints = AUTOMATIC_POINTS;
   double Tolerance = -1.0;
   vtkIdType MaximumNumberOfVertices = 0;
-  double GreatestError = 0.0;
-  vtkIdType NumberOfPointsBeyond = 0;
-  vtkIdType NumberOfUnreachablePoints = 0;
-  vtkIdType NumberOfAddedPoints = 0;
-  vtkIdType NumberOfHeightDifferences = 0;
 
 private:
-  flipflop::TerrainMeshOptions GetOptions() const;
-  void AddToFieldData(const flipflop::TerrainMesh& mesh, vtkFieldData* report) const;
-
   vtkFFTerrainMeshFilter(const vtkFFTerrainMeshFilter&) = delete;
   void operator=(const vtkFFTerrainMeshFilter&) = delete;
 };

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPFFHullFilter.h"
 
-#include "vtkFFDistributedCells.h"
-#include "vtkFFDistributedInput.h"
-#include "vtkFFDistributedPoints.h"
-#include "vtkFFHullResult.h"
-#include "vtkFFHullStream.h"
-#include "vtkFFInput.h"
-#include "vtkFFOutput.h"
-#include "vtkFFPointMessage.h"
-#include "vtkFFPointRedistribution.h"
-#include "vtkFFProcesses.h"
-#include "vtkFFRun.h"
+#include "FFDistributedCells.h"
+#include "FFDistributedInput.h"
+#include "FFDistributedPoints.h"
+#include "FFHullResult.h"
+#include "FFHullStream.h"
+#include "FFInput.h"
+#include "FFOutput.h"
+#include "FFPointMessage.h"
+#include "FFPointRedistribution.h"
+#include "FFProcesses.h"
+#include "FFRun.h"
 
 #include <flipflop/Engines.h>
 
@@ -38,19 +38,20 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkPFFHullFilter);
+vtkCxxSetObjectMacro(vtkPFFHullFilter, Controller, vtkMultiProcessController);
 
 namespace
 {
 
-using Blocks = std::vector<vtkFFDistributedInput::BlockType>;
-using Point = vtkFFPointRedistribution::Point;
+using Blocks = std::vector<FFDistributedInput::BlockType>;
+using Point = FFPointRedistribution::Point;
 
 /// Reads the points of all blocks. They are counted block by block, and in a block process by
 /// process. Returns the first id of each block's points here. Collective.
 std::vector<vtkIdType> readPoints(vtkPFFHullFilter* filter, const Blocks& blocks,
-  vtkFFProcesses& processes, std::vector<vtkFFInput>& inputs)
+  FFProcesses& processes, std::vector<FFInput>& inputs)
 {
-  vtkFFRun& run = processes.GetRun();
+  FFRun& run = processes.GetRun();
   bool isComposite = false;
   std::vector<vtkIdType> sizes;
   for (std::size_t b = 0; b < blocks.size(); ++b)
@@ -92,25 +93,25 @@ std::vector<vtkIdType> readPoints(vtkPFFHullFilter* filter, const Blocks& blocks
 
 /// The hulls of all processes become that of process 0: joined in pairs, along a binary tree.
 /// Collective.
-void gather(vtkFFHullResult& hull, vtkFFProcesses& processes)
+void gather(FFHullResult& hull, FFProcesses& processes)
 {
   // Neighbours, then neighbours' neighbours. The lower one of a pair goes on.
   const int rank = processes.GetRank();
   for (int step = 1; step < processes.GetCount(); step *= 2)
   {
     const int remainder = rank % (2 * step);
-    vtkFFProcesses::Messages messages;
+    FFProcesses::Messages messages;
     hull.KeepKind();
     if (remainder == step)
     {
-      messages[rank - step] = vtkFFPointMessage::Pack(hull.Data);
+      messages[rank - step] = FFPointMessage::Pack(hull.Data);
     }
     processes.Exchange(messages);
     if (remainder == 0 && rank + step < processes.GetCount())
     {
-      std::vector<vtkFFHullResult> pair(2);
+      std::vector<FFHullResult> pair(2);
       std::swap(pair[0], hull);
-      pair[1].Data = vtkFFPointMessage::Unpack(messages[rank + step]);
+      pair[1].Data = FFPointMessage::Unpack(messages[rank + step]);
       hull.Join(pair, processes.GetRun());
     }
   }
@@ -118,7 +119,7 @@ void gather(vtkFFHullResult& hull, vtkFFProcesses& processes)
 
 /// The direction in which a point lies, by the octahedral map: the faces of an octahedron, laid out
 /// in a square.
-vtkFFPointRedistribution::Key directionOf(const double* x, const std::array<double, 3>& middle)
+FFPointRedistribution::Key directionOf(const double* x, const std::array<double, 3>& middle)
 {
   double d[3];
   double sum = 0.0;
@@ -134,14 +135,13 @@ vtkFFPointRedistribution::Key directionOf(const double* x, const std::array<doub
   const double u = d[0] / sum;
   const double v = d[1] / sum;
   // The lower faces are folded up, outside the upper ones. 0 and -0 are one position.
-  return d[2] >= 0.0
-    ? vtkFFPointRedistribution::Key{ u + 0.0, v + 0.0 }
-    : vtkFFPointRedistribution::Key{ (u >= 0.0 ? 1.0 : -1.0) * (1.0 - std::fabs(v)),
-        (v >= 0.0 ? 1.0 : -1.0) * (1.0 - std::fabs(u)) };
+  return d[2] >= 0.0 ? FFPointRedistribution::Key{ u + 0.0, v + 0.0 }
+                     : FFPointRedistribution::Key{ (u >= 0.0 ? 1.0 : -1.0) * (1.0 - std::fabs(v)),
+                         (v >= 0.0 ? 1.0 : -1.0) * (1.0 - std::fabs(u)) };
 }
 
 /// The middle of the box of all processes' points.
-std::array<double, 3> middleOf(const std::vector<Point>& points, vtkFFProcesses& processes)
+std::array<double, 3> middleOf(const std::vector<Point>& points, FFProcesses& processes)
 {
   std::vector<double> box(6, std::numeric_limits<double>::infinity()); // least x, y, z; of -x, ...
   for (const Point& point : points)
@@ -181,28 +181,28 @@ std::vector<Point> finitePoints(vtkPointSet* data, vtkIdType begin)
 /// The hull of this process's points becomes its share of the facets of all, with their points, and
 /// the dimension, volume and area of the whole. Statistics are added to. Returns whether another
 /// process counts each of the share's points. Collective.
-std::vector<bool> distribute(vtkFFHullResult& hull, vtkFFProcesses& processes)
+std::vector<bool> distribute(FFHullResult& hull, FFProcesses& processes)
 {
   // Ids count the points of these hulls, in the order of the ids that they have.
   hull.KeepKind();
-  vtkFFDistributedPoints source(processes);
+  FFDistributedPoints source(processes);
   source.Count(hull.Data->GetNumberOfPoints());
   source.SetPoints(hull.Data);
   std::vector<Point> points = finitePoints(hull.Data, source.GetBegin());
   const std::array<double, 3> middle = middleOf(points, processes);
-  flipflop::BlockPoints block = vtkFFPointRedistribution::Run(
+  flipflop::BlockPoints block = FFPointRedistribution::Run(
     std::move(points), [&](const Point& point) { return directionOf(point.Position, middle); },
     processes);
   flipflop::Options options = processes.GetRun().Options;
-  options.facets = flipflop::FacetMode::Polygons; // as of each vtkFFHullResult
+  options.facets = flipflop::FacetMode::Polygons; // as of each FFHullResult
   double size[2];
-  flipflop::BlockResult result = vtkFFDistributedCells::Compute(
+  flipflop::BlockResult result = FFDistributedCells::Compute(
     flipflop::BlockShape::Hull, std::move(block), options, processes, size);
 
   flipflop::CellComplex& cells = result.cells;
   const auto fetched = source.Fetch({ cells.pointIds.begin(), cells.pointIds.end() }, true);
   const auto duplicates =
-    vtkFFDistributedCells::FindDuplicates(cells.pointIds, result.blocks, processes);
+    FFDistributedCells::FindDuplicates(cells.pointIds, result.blocks, processes);
   if (cells.pointIds.empty())
   {
     // One point of the kind, which is left out.
@@ -216,13 +216,12 @@ std::vector<bool> distribute(vtkFFHullResult& hull, vtkFFProcesses& processes)
   hull.Hull.volume = size[0];
   hull.Hull.area = size[1];
   hull.Hull.statistics += cells.statistics;
-  vtkFFOutput::AdoptCells(cells, hull.Data);
+  FFOutput::AdoptCells(cells, hull.Data);
   return duplicates;
 }
 
 /// Whether each process keeps a share of a hull, of which it has its piece's. Collective.
-bool staysDistributed(
-  vtkPFFHullFilter* filter, const vtkFFHullResult& hull, vtkFFProcesses& processes)
+bool staysDistributed(vtkPFFHullFilter* filter, const FFHullResult& hull, FFProcesses& processes)
 {
   const vtkIdType points = processes.Sum(hull.Data->GetNumberOfPoints());
   const int mode = filter->GetResultMode();
@@ -232,7 +231,7 @@ bool staysDistributed(
 
 /// The hull of what this process has becomes that of what all have: on process 0; or a share on
 /// each, and whether another process counts each of its points. Collective.
-void join(vtkPFFHullFilter* filter, bool mayStay, vtkFFProcesses& processes, vtkFFHullResult& hull,
+void join(vtkPFFHullFilter* filter, bool mayStay, FFProcesses& processes, FFHullResult& hull,
   std::optional<std::vector<bool>>& duplicates)
 {
   const flipflop::Statistics& statistics = hull.Hull.statistics;
@@ -251,23 +250,23 @@ void join(vtkPFFHullFilter* filter, bool mayStay, vtkFFProcesses& processes, vtk
 }
 
 /// The hull of each block's points. Collective.
-std::vector<vtkFFHullResult> hullsOf(vtkPFFHullFilter* filter, const Blocks& blocks,
-  vtkFFProcesses& processes, std::optional<std::vector<bool>>& duplicates)
+std::vector<FFHullResult> hullsOf(vtkPFFHullFilter* filter, const Blocks& blocks,
+  FFProcesses& processes, std::optional<std::vector<bool>>& duplicates)
 {
-  vtkFFRun& run = processes.GetRun();
+  FFRun& run = processes.GetRun();
   const std::size_t count = blocks.size();
-  std::vector<vtkFFInput> inputs(count);
+  std::vector<FFInput> inputs(count);
   const std::vector<vtkIdType> begins = readPoints(filter, blocks, processes, inputs);
 
   // Points that are not finite are counted to the last block before they are an error.
-  std::vector<vtkFFHullResult> hulls(count);
-  vtkFFFailure failure;
-  for (std::size_t b = 0; b < count && failure.Kind <= vtkFFFailure::NonFinite; ++b)
+  std::vector<FFHullResult> hulls(count);
+  FFFailure failure;
+  for (std::size_t b = 0; b < count && failure.Kind <= FFFailure::NonFinite; ++b)
   {
     run.SetPart(static_cast<double>(b) / static_cast<double>(count),
       static_cast<double>(b + 1) / static_cast<double>(count));
     run.FirstId = begins[b];
-    run.Failure = vtkFFFailure();
+    run.Failure = FFFailure();
     processes.Do(
       [&]
       {
@@ -280,17 +279,17 @@ std::vector<vtkFFHullResult> hullsOf(vtkPFFHullFilter* filter, const Blocks& blo
   run.Failure = failure;
   if (failure)
   {
-    throw vtkFFSharedFailure();
+    throw FFSharedFailure();
   }
   return hulls;
 }
 
 /// Adds what other processes have read to this process's ids, and to the parts. Collective.
-void countPieces(vtkFFHullResult& hull, vtkFFProcesses& processes)
+void countPieces(FFHullResult& hull, FFProcesses& processes)
 {
-  vtkFFRun& run = processes.GetRun();
+  FFRun& run = processes.GetRun();
   std::vector<vtkIdType> own; // numbers of points, and blocks
-  for (const vtkFFRun::PartType& part : run.Parts)
+  for (const FFRun::PartType& part : run.Parts)
   {
     own.insert(own.end(), { part.NumberOfPoints, static_cast<vtkIdType>(part.FlatIndex) });
   }
@@ -307,7 +306,7 @@ void countPieces(vtkFFHullResult& hull, vtkFFProcesses& processes)
   {
     if (process == rank)
     {
-      vtkFFOutput::Renumber(
+      FFOutput::Renumber(
         hull.Data->GetPointData(), [counted](vtkIdType id) { return counted + id; });
     }
     for (std::size_t k = 0; k < all[process].size(); k += 2)
@@ -325,11 +324,11 @@ void countPieces(vtkFFHullResult& hull, vtkFFProcesses& processes)
 }
 
 /// The hull of the points that all processes read, a piece at a time. Collective.
-vtkFFHullResult hullOf(vtkPFFHullFilter* filter, vtkFFHullStream& stream, vtkFFProcesses& processes,
+FFHullResult hullOf(vtkPFFHullFilter* filter, FFHullStream& stream, FFProcesses& processes,
   std::optional<std::vector<bool>>& duplicates)
 {
   // As many steps on each process: sources may work together, and what fails on one ends all.
-  vtkFFHullResult hull;
+  FFHullResult hull;
   const vtkIdType steps = -processes.Least(std::vector<vtkIdType>{ -stream.GetCount() })[0];
   for (int number = 0; number < steps; ++number)
   {
@@ -360,60 +359,32 @@ vtkPFFHullFilter::~vtkPFFHullFilter()
 }
 
 //------------------------------------------------------------------------------
-void vtkPFFHullFilter::SetController(vtkMultiProcessController* controller)
-{
-  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, controller);
-  this->FillInputPortInformation(0, this->GetInputPortInformation(0));
-  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-  {
-    this->FillOutputPortInformation(port, this->GetOutputPortInformation(port));
-  }
-}
-
-//------------------------------------------------------------------------------
 int vtkPFFHullFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return this->Superclass::FillInputPortInformation(port, info) &&
-    vtkFFDistributedInput::FillInputPort(this->Controller, port, info);
-}
-
-//------------------------------------------------------------------------------
-vtkTypeBool vtkPFFHullFilter::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return vtkFFDistributedInput::MakeOutputs(this, this->Controller,
-           this->CompositeMode == HULL_OF_EACH_BLOCK && this->NumberOfStreamDivisions == 1, request,
-           inputVector, outputVector) ||
-    this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  info->Set(
+    vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // where a process has none, the others would wait
+  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 //------------------------------------------------------------------------------
 int vtkPFFHullFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!vtkFFProcesses::AreSeveral(this->Controller))
+  if (!FFProcesses::AreSeveral(this->Controller))
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }
+  FFRun all(this, this->GetTitle());
   const bool isStreamed = this->NumberOfStreamDivisions > 1;
-  const auto check = [&]
-  {
-    if (this->GenerateCertificate)
-    {
-      throw vtkFFBadSetting(
-        "Several processes have a part of the points each, and a certificate needs all. Turn off "
-        "Generate Certificate, or bring all points to one process.");
-    }
-  };
   const auto work =
-    [&](const Blocks& blocks, vtkFFProcesses& processes, vtkInformationVector* outputs)
+    [&](const Blocks& blocks, FFProcesses& processes, const FFBlocks::Results& results)
   {
-    vtkFFRun& run = processes.GetRun();
+    FFRun& run = processes.GetRun();
     std::optional<std::vector<bool>> duplicates;
-    std::vector<vtkFFHullResult> hulls;
+    std::vector<FFHullResult> hulls;
     if (isStreamed)
     {
-      vtkFFHullStream stream(this, inputVector[0]->GetInformationObject(0),
+      FFHullStream stream(this, inputVector[0]->GetInformationObject(0),
         outputVector->GetInformationObject(0), run,
         " of process " + std::to_string(processes.GetRank()));
       hulls.push_back(hullOf(this, stream, processes, duplicates));
@@ -423,8 +394,8 @@ int vtkPFFHullFilter::RequestData(
       hulls = hullsOf(this, blocks, processes, duplicates);
     }
     const bool hasHull = processes.GetRank() == 0 || duplicates;
-    vtkFFHullResult whole;
-    vtkPolyData* const output = vtkPolyData::GetData(outputs);
+    FFHullResult whole;
+    vtkPolyData* const output = vtkPolyData::SafeDownCast(results[0]);
     if (hasHull)
     {
       if (hulls.size() == 1)
@@ -435,22 +406,17 @@ int vtkPFFHullFilter::RequestData(
       {
         whole.Join(hulls, run);
       }
-      this->WriteHull(whole, run, output);
+      this->WriteHull(whole, output, run);
       if (duplicates)
       {
-        vtkFFDistributedCells::Mark(
+        FFDistributedCells::Mark(
           output->GetPointData(), *duplicates, vtkDataSetAttributes::DUPLICATEPOINT);
       }
     }
-    processes.Agree(); // nobody reports a hull that another could not write
-    if (hasHull)
-    {
-      this->ReportHull(whole, run, output);
-    }
+    processes.Agree(); // nobody has a hull that another could not write
   };
-  return vtkFFDistributedInput::Run(this, this->Controller, "Convex hull",
-    this->CompositeMode == HULL_OF_ALL_BLOCKS || isStreamed, inputVector, outputVector, check,
-    work);
+  return FFDistributedInput::Run(
+    all, this->Controller, this->IsJoined(), inputVector, outputVector, [] {}, work);
 }
 
 //------------------------------------------------------------------------------

@@ -61,16 +61,16 @@ class vtkMultiProcessController;
 class VTKFILTERSPARALLELFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkPFFHullFilter : public vtkFFHullFilter
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkPFFHullFilter* New();
   vtkTypeMacro(vtkPFFHullFilter, vtkFFHullFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the controller of the processes that have the pieces; null for this process only. By
    * default the global controller.
@@ -79,7 +79,7 @@ public:
   virtual void SetController(vtkMultiProcessController* controller);
   VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
-  //@}
+  ///@}
 
   /**
    * Where the hull is in the end.
@@ -91,7 +91,7 @@ public:
     RESULT_DISTRIBUTED
   };
 
-  //@{
+  ///@{
   /**
    * Set/Get where the hull is in the end: on process 0 (RESULT_GATHERED), or each process has a
    * share of it (RESULT_DISTRIBUTED). RESULT_AUTOMATIC, the default, gathers up to
@@ -99,24 +99,25 @@ public:
    */
   vtkSetClampMacro(ResultMode, int, RESULT_AUTOMATIC, RESULT_DISTRIBUTED);
   vtkGetMacro(ResultMode, int);
-  //@}
+  void SetResultModeToAutomatic() { this->SetResultMode(RESULT_AUTOMATIC); }
+  void SetResultModeToGathered() { this->SetResultMode(RESULT_GATHERED); }
+  void SetResultModeToDistributed() { this->SetResultMode(RESULT_DISTRIBUTED); }
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get how many points the hulls of all pieces may have together for RESULT_AUTOMATIC to
    * gather them. The default is a million.
    */
   vtkSetClampMacro(GatheredPointsLimit, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(GatheredPointsLimit, vtkIdType);
-  //@}
+  ///@}
 
 protected:
   vtkPFFHullFilter();
   ~vtkPFFHullFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

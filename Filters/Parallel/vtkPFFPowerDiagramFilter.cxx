@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPFFPowerDiagramFilter.h"
 
-#include "vtkFFDistributedCells.h"
-#include "vtkFFDistributedInput.h"
-#include "vtkFFDistributedTriangulation.h"
-#include "vtkFFPowerCells.h"
-#include "vtkFFProcesses.h"
-#include "vtkFFRun.h"
+#include "FFDistributedCells.h"
+#include "FFDistributedInput.h"
+#include "FFDistributedTriangulation.h"
+#include "FFPowerCells.h"
+#include "FFProcesses.h"
+#include "FFRun.h"
 
 #include <flipflop/BlockRun.h>
 #include <flipflop/PowerDiagram.h>
@@ -31,7 +31,9 @@
 #include <utility>
 #include <vector>
 
-VTK_ABI_NAMESPACE_BEGIN vtkStandardNewMacro(vtkPFFPowerDiagramFilter);
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkPFFPowerDiagramFilter);
+vtkCxxSetObjectMacro(vtkPFFPowerDiagramFilter, Controller, vtkMultiProcessController);
 
 namespace
 {
@@ -67,8 +69,8 @@ bool makePowerCells(flipflop::BlockResult& around, bool weighted, int block,
 }
 
 /// This process's part of the diagram. False if a cell is broken on some process. Collective.
-bool makeDiagram(vtkFFPowerDiagramFilter* filter, vtkFFDistributedTriangulation& triangulation,
-  vtkFFProcesses& processes, flipflop::PowerDiagram& diagram)
+bool makeDiagram(vtkFFPowerDiagramFilter* filter, FFDistributedTriangulation& triangulation,
+  FFProcesses& processes, flipflop::PowerDiagram& diagram)
 {
   const std::array<double, 4> corners = triangulation.FindBounds();
   const flipflop::BlockResult& own = triangulation.GetCells();
@@ -78,52 +80,34 @@ bool makeDiagram(vtkFFPowerDiagramFilter* filter, vtkFFDistributedTriangulation&
   }
   std::vector<bool> ghosts;
   flipflop::BlockResult around =
-    vtkFFDistributedCells::AddGhosts(flipflop::FacetMode::Polygons, own, processes, ghosts);
+    FFDistributedCells::AddGhosts(flipflop::FacetMode::Polygons, own, processes, ghosts);
   flipflop::Triangulation ends;
   ends.pointIds.allocate(2);
   std::iota(ends.pointIds.begin(), ends.pointIds.end(), std::int64_t(0));
-  const std::array<double, 4> box =
-    vtkFFPowerCells::FindBox(filter, { corners.data(), 2, 2 }, ends);
+  const std::array<double, 4> box = FFPowerCells::FindBox(filter, { corners.data(), 2, 2 }, ends);
   const bool isWhole = makePowerCells(around, triangulation.IsWeighted(), processes.GetRank(), box,
     processes.GetRun().Options, diagram);
   return processes.Sum(vtkIdType(!isWhole)) == 0;
 }
 
-/// Have process 0 work alone on the points of all. Collective.
-void runGathered(vtkAlgorithm* filter, vtkFFDistributedTriangulation& triangulation,
-  vtkFFProcesses& processes, const std::function<void(vtkInformationVector**)>& run)
+/// The points of all, with which process 0 works alone. Collective.
+vtkSmartPointer<vtkPointSet> gather(
+  FFDistributedTriangulation& triangulation, FFProcesses& processes)
 {
-  const vtkSmartPointer<vtkPointSet> all = triangulation.Gather();
+  vtkSmartPointer<vtkPointSet> all = triangulation.Gather();
   const int sources = triangulation.GetNumberOfSources();
-  const bool isFirst = processes.GetRank() == 0;
   processes.Agree();
-  if (isFirst && sources > 1)
+  FFRun& run = processes.GetRun();
+  if (processes.GetRank() == 0 && sources > 1)
   {
-    vtkWarningWithObjectMacro(filter, << "The points of " << sources
-                                      << " processes are gathered on one, which triangulates "
-                                         "them alone: rounding broke a power cell, and it takes "
-                                         "all points to mend it.");
+    run.Warnings.push_back("The points of " + std::to_string(sources) +
+      " processes are gathered on one, which triangulates them alone: rounding broke a power cell, "
+      "and it takes all points to mend it.");
   }
-  if (isFirst)
-  {
-    vtkNew<vtkInformation> info;
-    info->Set(vtkDataObject::DATA_OBJECT(), all);
-    vtkNew<vtkInformationVector> input;
-    input->Append(info);
-    vtkInformationVector* inputs[] = { input };
-    run(inputs);
-  }
-  // Process 0 has reported its error already.
-  const auto code = static_cast<unsigned long>(
-    processes.Sum(isFirst ? static_cast<vtkIdType>(filter->GetErrorCode()) : vtkIdType(0)));
-  if (code != vtkFFErrorCode::NoError)
-  {
-    if (!isFirst)
-    {
-      processes.GetRun().Failure.Say("", code);
-    }
-    throw vtkFFSharedFailure();
-  }
+  run.Parts.clear(); // they have their ids
+  run.Ids.clear();
+  run.FirstId = 0;
+  return all;
 }
 
 }
@@ -141,71 +125,56 @@ vtkPFFPowerDiagramFilter::~vtkPFFPowerDiagramFilter()
 }
 
 //------------------------------------------------------------------------------
-void vtkPFFPowerDiagramFilter::SetController(vtkMultiProcessController* controller)
-{
-  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, controller);
-  this->FillInputPortInformation(0, this->GetInputPortInformation(0));
-  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-  {
-    this->FillOutputPortInformation(port, this->GetOutputPortInformation(port));
-  }
-}
-
-//------------------------------------------------------------------------------
 int vtkPFFPowerDiagramFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return this->Superclass::FillInputPortInformation(port, info) &&
-    vtkFFDistributedInput::FillInputPort(this->Controller, port, info);
-}
-
-//------------------------------------------------------------------------------
-vtkTypeBool vtkPFFPowerDiagramFilter::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return vtkFFDistributedInput::MakeOutputs(
-           this, this->Controller, true, request, inputVector, outputVector) ||
-    this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  info->Set(
+    vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // where a process has none, the others would wait
+  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 //------------------------------------------------------------------------------
 int vtkPFFPowerDiagramFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!vtkFFProcesses::AreSeveral(this->Controller))
+  if (!FFProcesses::AreSeveral(this->Controller))
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }
-  const auto work = [&](const std::vector<vtkFFDistributedInput::BlockType>& blocks,
-                      vtkFFProcesses& processes, vtkInformationVector* outputs)
+  FFRun all(this, this->GetTitle());
+  const auto work = [&](const std::vector<FFDistributedInput::BlockType>& blocks,
+                      FFProcesses& processes, const FFBlocks::Results& results)
   {
     // Points of one power circle meet in one corner.
-    vtkFFRun& run = processes.GetRun();
+    FFRun& run = processes.GetRun();
     run.Options.facets = flipflop::FacetMode::Polygons;
-    vtkFFDistributedTriangulation triangulation(this, processes);
+    FFDistributedTriangulation triangulation(this, processes);
     flipflop::PowerDiagram diagram;
     triangulation.Compute(blocks[0].Pieces);
     if (!makeDiagram(this, triangulation, processes, diagram))
     {
-      runGathered(this, triangulation, processes,
-        [&](vtkInformationVector** all) { this->Superclass::RequestData(request, all, outputs); });
+      const vtkSmartPointer<vtkPointSet> points = gather(triangulation, processes);
+      if (processes.GetRank() == 0)
+      {
+        this->Execute(points, inputVector, results, run);
+      }
+      processes.Agree();
       return;
     }
-    const auto duplicates =
-      vtkFFDistributedCells::FindDuplicatePositions(diagram.corners, processes);
+    const auto duplicates = FFDistributedCells::FindDuplicatePositions(diagram.corners, processes);
     triangulation.Fetch({ diagram.siteIds.begin(), diagram.siteIds.end() });
     flipflop::CellComplex& cells = triangulation.GetCells().cells;
     const auto counts = triangulation.Report(cells);
     std::iota(diagram.siteIds.begin(), diagram.siteIds.end(), std::int64_t(0));
-    vtkPolyData* const output = vtkPolyData::GetData(outputs);
-    vtkFFPowerCells::Write(this, triangulation.GetInput(), diagram, run, output);
-    vtkFFDistributedCells::Mark(
+    vtkPolyData* const output = vtkPolyData::SafeDownCast(results[0]);
+    FFPowerCells::Write(this, triangulation.GetInput(), diagram, run, output);
+    FFDistributedCells::Mark(
       output->GetPointData(), duplicates, vtkDataSetAttributes::DUPLICATEPOINT);
     processes.Agree();
     triangulation.GetInput().Report(cells, counts.Hidden, std::nullopt, output);
   };
-  return vtkFFDistributedInput::Run(
-    this, this->Controller, "Power diagram", false, inputVector, outputVector,
-    [&] { vtkFFPowerCells::CheckBox(this); }, work);
+  return FFDistributedInput::Run(
+    all, this->Controller, false, inputVector, outputVector, [&] { FFPowerCells::CheckBox(this); },
+    work);
 }
 
 //------------------------------------------------------------------------------

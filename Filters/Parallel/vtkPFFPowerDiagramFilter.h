@@ -37,16 +37,16 @@ class VTKFILTERSPARALLELFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkPFFPowerDiagramFilter
   : public vtkFFPowerDiagramFilter
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkPFFPowerDiagramFilter* New();
   vtkTypeMacro(vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the controller of the processes that have the pieces; null for this process only. By
    * default the global controller.
@@ -55,15 +55,13 @@ public:
   virtual void SetController(vtkMultiProcessController* controller);
   VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
-  //@}
+  ///@}
 
 protected:
   vtkPFFPowerDiagramFilter();
   ~vtkPFFPowerDiagramFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPFFRegularTriangulationFilter.h"
 
-#include "vtkFFDistributedInput.h"
-#include "vtkFFDistributedTriangulation.h"
-#include "vtkFFProcesses.h"
-#include "vtkFFRun.h"
-#include "vtkFFTriangulationOutput.h"
+#include "FFDistributedInput.h"
+#include "FFDistributedTriangulation.h"
+#include "FFProcesses.h"
+#include "FFRun.h"
+#include "FFTriangulationOutput.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -16,7 +16,9 @@
 
 #include <vector>
 
-VTK_ABI_NAMESPACE_BEGIN vtkStandardNewMacro(vtkPFFRegularTriangulationFilter);
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkPFFRegularTriangulationFilter);
+vtkCxxSetObjectMacro(vtkPFFRegularTriangulationFilter, Controller, vtkMultiProcessController);
 
 //------------------------------------------------------------------------------
 vtkPFFRegularTriangulationFilter::vtkPFFRegularTriangulationFilter()
@@ -31,58 +33,44 @@ vtkPFFRegularTriangulationFilter::~vtkPFFRegularTriangulationFilter()
 }
 
 //------------------------------------------------------------------------------
-void vtkPFFRegularTriangulationFilter::SetController(vtkMultiProcessController* controller)
-{
-  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, controller);
-  this->FillInputPortInformation(0, this->GetInputPortInformation(0));
-  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-  {
-    this->FillOutputPortInformation(port, this->GetOutputPortInformation(port));
-  }
-}
-
-//------------------------------------------------------------------------------
 int vtkPFFRegularTriangulationFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return this->Superclass::FillInputPortInformation(port, info) &&
-    vtkFFDistributedInput::FillInputPort(this->Controller, port, info);
-}
-
-//------------------------------------------------------------------------------
-vtkTypeBool vtkPFFRegularTriangulationFilter::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return vtkFFDistributedInput::MakeOutputs(
-           this, this->Controller, true, request, inputVector, outputVector) ||
-    this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  info->Set(
+    vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // where a process has none, the others would wait
+  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 //------------------------------------------------------------------------------
 int vtkPFFRegularTriangulationFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!vtkFFProcesses::AreSeveral(this->Controller))
+  if (!FFProcesses::AreSeveral(this->Controller))
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }
+  FFRun all(this, this->GetTitle());
   const auto check = [&]
   {
-    if (this->AlphaLines || this->AlphaVerts || this->GenerateAlphas || this->GenerateBoundary ||
-      this->GenerateCertificate)
+    if (this->AlphaLines || this->AlphaVerts || this->GenerateAlphas || this->GenerateBoundary)
     {
-      throw vtkFFBadSetting(
-        "Several processes triangulate together, and none has all cells: Alpha Lines, Alpha "
-        "Verts, Generate Alphas, Generate Boundary and Generate Certificate must be off. To have "
-        "them, bring all points to one process.");
+      throw FFBadSetting("Several processes triangulate together, and none has all cells: Alpha "
+                         "Lines, Alpha Verts, Generate Alphas and Generate Boundary must be off. "
+                         "To have them, bring all points to one process.");
+    }
+    if (this->GetNumberOfInputConnections(1) > 0)
+    {
+      throw FFBadSetting(
+        "Constraints need all points on one process, and several triangulate together. Bring all "
+        "points to one process, or take the source away.");
     }
   };
-  const auto work = [&](const std::vector<vtkFFDistributedInput::BlockType>& blocks,
-                      vtkFFProcesses& processes, vtkInformationVector* outputs)
+  const auto work = [&](const std::vector<FFDistributedInput::BlockType>& blocks,
+                      FFProcesses& processes, const FFBlocks::Results& results)
   {
-    vtkFFRun& run = processes.GetRun();
-    vtkPolyData* const output = vtkPolyData::GetData(outputs, 0);
-    vtkFFTriangulationOutput writer(this, run);
-    vtkFFDistributedTriangulation triangulation(this, processes);
+    FFRun& run = processes.GetRun();
+    vtkPolyData* const output = vtkPolyData::SafeDownCast(results[0]);
+    FFTriangulationOutput writer(this, run);
+    FFDistributedTriangulation triangulation(this, processes);
     triangulation.Compute(blocks[0].Pieces);
     triangulation.DropCells([&](const auto& points, const auto& weights, auto& cells)
       { return writer.DropCells(points, weights, cells); });
@@ -92,14 +80,14 @@ int vtkPFFRegularTriangulationFilter::RequestData(
     }
     flipflop::Triangulation cells = triangulation.FetchCells(true);
     const auto counts = triangulation.Report(cells);
-    writer.Write(triangulation.GetInput(), cells, output, vtkPolyData::GetData(outputs, 1),
-      vtkPolyData::GetData(outputs, 2));
+    writer.Write(triangulation.GetInput(), cells, output, vtkPolyData::SafeDownCast(results[1]),
+      vtkPolyData::SafeDownCast(results[2]));
     triangulation.MarkDuplicates(output);
     processes.Agree();
     triangulation.GetInput().Report(cells, counts.Hidden, counts.Dropped, output);
   };
-  return vtkFFDistributedInput::Run(
-    this, this->Controller, "Regular triangulation", false, inputVector, outputVector, check, work);
+  return FFDistributedInput::Run(
+    all, this->Controller, false, inputVector, outputVector, check, work);
 }
 
 //------------------------------------------------------------------------------

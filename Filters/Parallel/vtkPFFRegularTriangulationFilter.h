@@ -85,16 +85,16 @@ class VTKFILTERSPARALLELFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkPFFRegularTriangulati
   : public vtkFFRegularTriangulationFilter
 {
 public:
-  //@{
+  ///@{
   /**
    * Standard methods for instantiation, type information and printing.
    */
   static vtkPFFRegularTriangulationFilter* New();
   vtkTypeMacro(vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get the controller of the processes that have the pieces; null for this process only. By
    * default the global controller.
@@ -103,9 +103,9 @@ public:
   virtual void SetController(vtkMultiProcessController* controller);
   VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
-  //@}
+  ///@}
 
-  //@{
+  ///@{
   /**
    * Set/Get whether each process also gets the cells of other processes that touch points of its
    * own region, so that it has all cells around these. Off by default. In vtkGhostType, such cells
@@ -115,15 +115,13 @@ public:
   vtkSetMacro(GenerateGhostCells, bool);
   vtkGetMacro(GenerateGhostCells, bool);
   vtkBooleanMacro(GenerateGhostCells, bool);
-  //@}
+  ///@}
 
 protected:
   vtkPFFRegularTriangulationFilter();
   ~vtkPFFRegularTriangulationFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

@@ -4,8 +4,8 @@
 // Documentation/Messages.md has the same.
 #include "FFTest.h"
 
+#include "FFRun.h"
 #include "vtkFFHullFilter.h"
-#include "vtkFFRun.h"
 
 #include "vtkFFErrorCode.h"
 #include "vtkNew.h"
@@ -26,7 +26,7 @@ std::string said(const std::function<void()>& work)
 {
   vtkNew<vtkFFHullFilter> filter;
   const auto errors = ErrorObserver::Of(filter);
-  vtkFFRun run(filter, "A test", nullptr);
+  FFRun run(filter, "A test", nullptr);
   FF_CHECK(!run.Do(work));
   FF_CHECK(!run.Do([] { FF_CHECK(!"no work is done after a failure"); }));
   FF_CHECK_EQUAL(run.Finish(), 1); // the executive would add a message
@@ -95,8 +95,8 @@ void testOtherExceptions()
     said([] { throw std::bad_alloc(); }), "6: There is not enough memory for this input.");
   FF_CHECK_EQUAL(said([] { throw std::runtime_error("What it says."); }), "2: What it says.");
   FF_CHECK_EQUAL(said([] { throw 7; }), "9: The engine failed for an unknown reason.");
-  FF_CHECK_EQUAL(said([] { throw vtkFFBadSetting("Set it."); }), "1: Set it.");
-  FF_CHECK_EQUAL(said([] { throw vtkFFBadConstraint("Mend it."); }), "5: Mend it.");
+  FF_CHECK_EQUAL(said([] { throw FFBadSetting("Set it."); }), "1: Set it.");
+  FF_CHECK_EQUAL(said([] { throw FFBadConstraint("Mend it."); }), "5: Mend it.");
 }
 
 }

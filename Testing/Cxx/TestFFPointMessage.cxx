@@ -3,7 +3,7 @@
 // What one process packs, another unpacks: values of all types, names, attributes.
 #include "FFTest.h"
 
-#include "vtkFFPointMessage.h"
+#include "FFPointMessage.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkBitArray.h"
@@ -65,9 +65,9 @@ void testMessages()
     for (const int count : { 0, 1, 9 })
     {
       const auto input = makeInput(count, type);
-      const std::vector<char> message = vtkFFPointMessage::Pack(input);
-      const auto output = vtkFFPointMessage::Unpack(message);
-      FF_CHECK(vtkFFPointMessage::Pack(output) == message);
+      const std::vector<char> message = FFPointMessage::Pack(input);
+      const auto output = FFPointMessage::Unpack(message);
+      FF_CHECK(FFPointMessage::Pack(output) == message);
       FF_CHECK_EQUAL(output->GetNumberOfPoints(), count);
       FF_CHECK_EQUAL(output->GetPoints()->GetDataType(), type);
       FF_CHECK_EQUAL(output->GetPointData()->GetNumberOfArrays(), 5);
@@ -86,13 +86,13 @@ void testMessages()
 
   // What is left over after the last whole tuple stays behind.
   const auto input = makeInput(4, VTK_FLOAT);
-  const std::vector<char> message = vtkFFPointMessage::Pack(input);
+  const std::vector<char> message = FFPointMessage::Pack(input);
   vtkFloatArray::SafeDownCast(input->GetPointData()->GetVectors())->InsertNextValue(7.0f);
   vtkFloatArray::SafeDownCast(input->GetPoints()->GetData())->InsertNextValue(7.0f);
-  FF_CHECK(vtkFFPointMessage::Pack(input) == message);
+  FF_CHECK(FFPointMessage::Pack(input) == message);
 
   vtkNew<vtkPolyData> none;
-  FF_CHECK(vtkFFPointMessage::Unpack(vtkFFPointMessage::Pack(none))->GetPoints() == nullptr);
+  FF_CHECK(FFPointMessage::Unpack(FFPointMessage::Pack(none))->GetPoints() == nullptr);
 }
 
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Data in pieces, and as it is whole.
 #include "DistributedVersusSerial.h"
-#include "vtkFFOutput.h"
+#include "FFOutput.h"
 
 #include "vtkBitArray.h"
 #include "vtkCharArray.h"
@@ -126,7 +126,7 @@ vtkSmartPointer<vtkPolyData> append(const Pieces& pieces)
   std::vector<vtkPointSet*> there;
   std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(there),
     [](vtkPolyData* piece) { return piece != nullptr; });
-  return vtkPolyData::SafeDownCast(vtkFFOutput::Append(there));
+  return vtkPolyData::SafeDownCast(FFOutput::Append(there));
 }
 
 //------------------------------------------------------------------------------

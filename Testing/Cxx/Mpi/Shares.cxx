@@ -3,7 +3,7 @@
 #include "Shares.h"
 
 #include "DistributedVersusSerial.h"
-#include "vtkFFPointMessage.h"
+#include "FFPointMessage.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -237,14 +237,14 @@ std::vector<Share> gatherShares(vtkPolyData* own)
   std::copy_n(reinterpret_cast<const char*>(flat.data()), packed.size(), packed.data());
   vtkNew<vtkPolyData> cellData;
   cellData->GetPointData()->ShallowCopy(own->GetCellData());
-  const auto points = gather(vtkFFPointMessage::Pack(own));
-  const auto data = gather(vtkFFPointMessage::Pack(cellData));
+  const auto points = gather(FFPointMessage::Pack(own));
+  const auto data = gather(FFPointMessage::Pack(cellData));
   const auto lists = gather(packed);
   std::vector<Share> shares;
   for (std::size_t process = 0; process < points.size(); ++process)
   {
-    Share share{ vtkFFPointMessage::Unpack(points[process]),
-      vtkFFPointMessage::Unpack(data[process]), {} };
+    Share share{ FFPointMessage::Unpack(points[process]), FFPointMessage::Unpack(data[process]),
+      {} };
     std::vector<vtkIdType> numbers(lists[process].size() / sizeof(vtkIdType));
     std::copy_n(
       lists[process].data(), lists[process].size(), reinterpret_cast<char*>(numbers.data()));

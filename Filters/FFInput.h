@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The points of a filter's input, as the engine takes them.
+ *
+ * FFInput has the points of a data set, or those of several, one after another: without ghost
+ * points, if these are to be skipped. The run gets their ids.
+ */
+
+#ifndef FFInput_h
+#define FFInput_h
+
+#include "FFBlocks.h"
+#include "FFOutput.h"
+#include "FFPointSource.h"
+#include "vtkFFMarks.h"
+#include "vtkSmartPointer.h"
+
+#include <flipflop/PointView.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataObject;
+class FFRun;
+class vtkInformation;
+class vtkPointSet;
+
+class FFInput
+{
+public:
+  using PieceType = FFBlocks::PieceType;
+
+  /**
+   * The points of a data set: itself, if it is a vtkPointSet. For a vtkImageData or a
+   * vtkRectilinearGrid, new points are made, without cells, with the point data (also vtkGhostType)
+   * and the field data: as float if all coordinates of a rectilinear grid are float, otherwise as
+   * double.
+   *
+   * @param ofWhat how errors name the data: " of the block of flat index 2"
+   * @throw std::runtime_error for other data, and for coordinates that are missing, have not one
+   *        component, or that no double holds; flipflop::Error TooManyPoints, OutOfMemory.
+   */
+  static vtkSmartPointer<vtkPointSet> PointsOf(vtkDataObject* data, const std::string& ofWhat);
+
+  /**
+   * Ask for all of an input, whatever part of an output is asked for. Null: there is none.
+   */
+  static void RequestAll(vtkInformation* input);
+
+  /**
+   * Become the points of these data sets. Returns how many these have, with ghosts.
+   *
+   * @param ofInput how errors name the input, unless it is the first one: " of the surface"
+   * @throw std::runtime_error for another type, or points that are no points in space; all that
+   *        FFPointSource throws.
+   */
+  vtkIdType Take(const std::vector<PieceType>& pieces, bool skipGhosts, FFRun& run,
+    const std::string& ofInput = {});
+
+  ///@{
+  /**
+   * The parts of Take(), for points whose ids are known only once those of others are counted.
+   */
+  vtkIdType TakePieces(const std::vector<PieceType>& pieces, bool skipGhosts, FFRun& run,
+    const std::string& ofInput = {});
+  void TakeCoordinates();
+  ///@}
+
+  const flipflop::PointView& GetView() const { return this->Points->GetView(); }
+  const FFPointSource& GetPoints() const { return *this->Points; }
+
+  /**
+   * The pieces, without the ghosts.
+   */
+  const std::vector<vtkSmartPointer<vtkPointSet>>& GetPieces() const { return this->Pieces; }
+
+  /**
+   * Their point data.
+   */
+  std::vector<FFOutput::Source> GetPointData() const;
+
+private:
+  /// Leaves out points that are marked as duplicates of another piece's or as hidden. Returns the
+  /// ids of the others among all points; none, if all remain.
+  std::vector<vtkIdType> SkipGhosts();
+
+  std::vector<vtkSmartPointer<vtkPointSet>> Pieces;
+  std::optional<FFPointSource> Points;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,419 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FFPlanarInput.h"
+
+#include "FFInput.h"
+#include "vtkFFPlanarAlgorithm.h"
+
+#include <flipflop/ConvexHull.h>
+#include <flipflop/EdgeLengths.h>
+#include <flipflop/Error.h>
+#include <flipflop/Measures.h>
+
+#include "vtkAbstractTransform.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkHomogeneousTransform.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+/// Points between two checks for an abort: some milliseconds.
+constexpr std::int64_t chunkSize = 1 << 16;
+
+bool isFinite(const double* p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+}
+
+//------------------------------------------------------------------------------
+FFPlanarInput::FFPlanarInput(vtkFFPlanarAlgorithm* filter, FFRun& run)
+  : Filter(filter)
+  , Run(run)
+{
+  const bool isXY = filter->GetProjectionPlaneMode() == vtkFFPlanarAlgorithm::XY_PLANE;
+  run.NonFiniteWhat =
+    std::string("A coordinate") + (isXY ? "" : " (as given, or projected)") + " or a weight";
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::Take(vtkDataObject* data)
+{
+  FFInput input;
+  // Weights are judged as they came: an array that does not fit does not go along with its points.
+  if (auto* const points = vtkDataSet::SafeDownCast(data))
+  {
+    this->FindWeights(points);
+  }
+  input.Take(FFBlocks::PiecesOf(data), this->Filter->GetSkipGhostPoints(), this->Run);
+  this->SetPoints(input.GetPieces()[0]);
+  this->SetWeights(this->FindWeights(this->Points));
+  this->Project();
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::SetPoints(vtkPointSet* points)
+{
+  this->Points = points;
+  this->Space.emplace(points->GetPoints() ? points->GetPoints()->GetData() : nullptr);
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* FFPlanarInput::FindWeights(vtkDataSet* points) const
+{
+  return FFWeightSource::FindArray(this->Filter, points, this->Run.OfWhat(), "input");
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::SetWeights(vtkDataArray* array)
+{
+  this->Weights.emplace(array,
+    flipflop::WeightRule{ this->Filter->GetWeightMode() == vtkFFPlanarAlgorithm::RADII,
+      this->Filter->GetWeightFactor() });
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::CheckUnweighted() const
+{
+  if (this->GetWeights().data)
+  {
+    throw FFBadSetting("Constraints take no weights. Choose no weights' array.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::CheckBox(const double* box, const char* what)
+{
+  const bool isBox = std::all_of(box, box + 4, [](double x) { return std::isfinite(x); }) &&
+    box[0] < box[1] && box[2] < box[3];
+  if (!isBox)
+  {
+    std::ostringstream message;
+    message << what << " has no inside or is not finite: it is (xmin, xmax, ymin, ymax) = ("
+            << box[0] << ", " << box[1] << ", " << box[2] << ", " << box[3] << ").";
+    throw FFBadSetting(message.str());
+  }
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::Project()
+{
+  switch (this->Filter->GetProjectionPlaneMode())
+  {
+    case vtkFFPlanarAlgorithm::TRANSFORM_PLANE:
+      this->ProjectByTransform();
+      break;
+    case vtkFFPlanarAlgorithm::BEST_FITTING_PLANE:
+      this->SetPlane(flipflop::fitPlane(this->GetSpace(), this->Run.Options));
+      break;
+    default:
+      flipflop::Buffer<double> positions =
+        flipflop::positionsInXY(this->GetSpace(), this->Run.Options);
+      this->Plane = this->GetSpace();
+      if (!positions.empty())
+      {
+        this->SetPositions(std::move(positions));
+      }
+  }
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::ProjectByTransform()
+{
+  this->Transform = this->Filter->GetTransform();
+  if (!this->Transform)
+  {
+    throw FFBadSetting("Projection Plane Mode is Transform, and no Transform is set. Set "
+                       "one, or take another mode.");
+  }
+  const flipflop::PointView& view = this->GetSpace();
+  flipflop::Buffer<double> positions(2 * static_cast<std::size_t>(view.count));
+  // By one thread: nothing else is known of a transform that somebody else wrote.
+  for (std::int64_t i = 0; i < view.count; ++i)
+  {
+    if (i % chunkSize == 0)
+    {
+      FFRun::Look(this->Run.Options);
+    }
+    const std::int64_t at = i * view.stride;
+    const double from[3] = { NumberAt(view, at), NumberAt(view, at + 1), NumberAt(view, at + 2) };
+    double to[3] = { NaN, NaN, NaN };
+    if (isFinite(from))
+    {
+      this->Transform->TransformPoint(from, to);
+    }
+    std::copy_n(to, 2, positions.data() + 2 * i);
+  }
+  this->SetPositions(std::move(positions));
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::SetPlane(const flipflop::FittedPlane& plane)
+{
+  this->Fitted = plane;
+  this->SetPositions(flipflop::positionsInPlane(this->GetSpace(), plane, this->Run.Options));
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::ProjectAs(const FFPlanarInput& other)
+{
+  other.Fitted ? this->SetPlane(*other.Fitted) : this->Project();
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::SetPositions(flipflop::Buffer<double>&& positions)
+{
+  this->Positions = std::move(positions);
+  this->Plane = flipflop::PointView(
+    this->Positions.data(), static_cast<std::int64_t>(this->Positions.size() / 2), 2);
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::SetHeight(const flipflop::Triangulation& triangulation)
+{
+  if (this->IsXYPlane())
+  {
+    this->Height = flipflop::heightBelow(this->GetSpace(), triangulation);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDoubleArray> FFPlanarInput::ToSpace(
+  const flipflop::Buffer<double>& xy, const char* what) const
+{
+  const auto count = static_cast<vtkIdType>(xy.size() / 2);
+  auto positions = vtkSmartPointer<vtkDoubleArray>::New();
+  positions->SetNumberOfComponents(3);
+  positions->SetNumberOfTuples(count);
+  auto* const matrix = vtkHomogeneousTransform::SafeDownCast(this->Transform);
+  bool allFinite = !matrix || matrix->GetMatrix()->Determinant() != 0.0;
+  vtkAbstractTransform* const inverse =
+    this->Transform && allFinite ? this->Transform->GetInverse() : nullptr;
+  const double height = this->IsXYPlane() ? this->Height : 0.0;
+  for (vtkIdType i = 0; allFinite && i < count; ++i)
+  {
+    std::array<double, 3> position{ { xy.data()[2 * i], xy.data()[2 * i + 1], height } };
+    if (this->Fitted)
+    {
+      position = flipflop::positionOf(*this->Fitted, position[0], position[1]);
+    }
+    else if (inverse)
+    {
+      const std::array<double, 3> flat = position;
+      inverse->TransformPoint(flat.data(), position.data());
+    }
+    positions->SetTypedTuple(i, position.data());
+    allFinite = isFinite(position.data());
+  }
+  if (!allFinite)
+  {
+    throw std::runtime_error(std::string(what) +
+      " have no finite places in space: the transform has no inverse, or they lie too far out.");
+  }
+  return positions;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkDoubleArray>> FFPlanarInput::MeasureCells(
+  std::int64_t count, const MeasureType& measure) const
+{
+  if (!this->Filter->GetGenerateCellMeasures())
+  {
+    return {};
+  }
+  auto areas = vtkSmartPointer<vtkDoubleArray>::New();
+  areas->SetName("Area");
+  areas->SetNumberOfValues(static_cast<vtkIdType>(count));
+  flipflop::Buffer<double> positions(2 * static_cast<std::size_t>(count));
+  measure(areas->GetPointer(0), positions.data());
+  vtkSmartPointer<vtkDoubleArray> centroids = this->ToSpace(positions, "The cells' centroids");
+  centroids->SetName("Centroid");
+  return { areas, centroids };
+}
+
+//------------------------------------------------------------------------------
+std::vector<FFOutput::Source> FFPlanarInput::GetPointData() const
+{
+  if (!this->Filter->GetPassPointData())
+  {
+    return {};
+  }
+  return { { this->Points->GetPointData(), this->Points->GetNumberOfPoints() } };
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::WriteCells(flipflop::CellComplex& cells, vtkPolyData* output,
+  const std::vector<vtkSmartPointer<vtkDoubleArray>>& arrays) const
+{
+  for (const auto& array : arrays)
+  {
+    output->GetCellData()->AddArray(array);
+  }
+  FFOutput::Adopt(cells, *this->Space, this->GetPointData(), output);
+  FFOutput::Renumber(output->GetPointData(), [this](vtkIdType id) { return this->Run.GetId(id); });
+  if (this->Filter->GetVisiblePointIds())
+  {
+    FFOutput::ShowIds(output->GetPointData());
+  }
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::WriteTriangulation(
+  flipflop::Triangulation& triangulation, vtkPolyData* output) const
+{
+  const auto measure = [&](double* areas, double* centroids)
+  {
+    // A share of a triangulation may have no cell, which the engine takes for none of its own.
+    if (triangulation.cellCount() > 0)
+    {
+      flipflop::cellMeasures(this->Plane, triangulation, areas, centroids, this->Run.Options);
+    }
+  };
+  const auto measures = this->MeasureCells(triangulation.cellCount(), measure);
+  this->WriteCells(triangulation, output, measures);
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::Report(const flipflop::CellComplex& cells, std::optional<std::int64_t> hidden,
+  std::optional<std::int64_t> dropped, vtkDataObject* output) const
+{
+  this->Run.AddToReport(cells, output);
+  this->Run.Report.NumberOfHiddenPoints = static_cast<vtkIdType>(hidden.value_or(0));
+  this->Run.Report.NumberOfDroppedCells = static_cast<vtkIdType>(dropped.value_or(0));
+  const bool asFieldData = this->Run.ReportsAsFieldData;
+  if (asFieldData && hidden)
+  {
+    FFOutput::AddValue(output->GetFieldData(), "FlipFlopHiddenPoints", *hidden);
+  }
+  if (asFieldData && dropped)
+  {
+    FFOutput::AddValue(output->GetFieldData(), "FlipFlopDroppedCells", *dropped);
+  }
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::WriteVertices(flipflop::Buffer<std::int64_t>& ids, vtkPolyData* output) const
+{
+  flipflop::CellComplex vertices;
+  vertices.dimension = 0;
+  vertices.cellSize = 1;
+  vertices.connectivity.allocate(ids.size());
+  std::iota(vertices.connectivity.begin(), vertices.connectivity.end(), std::int64_t(0));
+  vertices.pointIds = std::move(ids);
+  this->WriteCells(vertices, output);
+}
+
+//------------------------------------------------------------------------------
+std::int64_t FFPlanarInput::VisitPoints(const PointVisitor& visit) const
+{
+  const flipflop::PointView& view = this->GetPlane();
+  const flipflop::WeightView& weights = this->GetWeights();
+  std::int64_t first = -1;
+  std::int64_t count = 0;
+  for (std::int64_t i = 0; i < view.count; ++i)
+  {
+    if (i % chunkSize == 0)
+    {
+      FFRun::Look(this->Run.Options);
+    }
+    const double x = NumberAt(view, i * view.stride);
+    const double y = NumberAt(view, i * view.stride + 1);
+    const double weight = weights.data ? NumberAt(weights, i * weights.stride) : 0.0;
+    if (std::isfinite(x) && std::isfinite(y) && std::isfinite(weight))
+    {
+      visit(i, x, y, weight);
+    }
+    else if (count++ == 0)
+    {
+      first = i;
+    }
+  }
+  if (count > 0 && this->Run.Options.nonFinite == flipflop::NonFinitePolicy::Error)
+  {
+    throw flipflop::Error(flipflop::ErrorCode::NonFinite, first, count);
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::LookForVerticalPlane(const flipflop::Triangulation& triangulation) const
+{
+  if (this->Fitted || triangulation.dimension != 1)
+  {
+    return;
+  }
+  std::vector<std::array<double, 3>> points;
+  for (const auto* ids : { &triangulation.pointIds, &triangulation.hiddenIds })
+  {
+    for (const std::int64_t id : *ids)
+    {
+      this->Points->GetPoint(static_cast<vtkIdType>(id), points.emplace_back().data());
+    }
+  }
+  if (HullInSpace(points, this->Run.Options).dimension > 1)
+  {
+    this->WarnOfVerticalPlane();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::int64_t FFPlanarInput::DropLongCells(const flipflop::PointView& points, double longest,
+  const flipflop::Options& options, flipflop::CellComplex& cells)
+{
+  const std::int64_t count = cells.cellCount();
+  if (!(longest > 0.0) || count == 0)
+  {
+    return 0;
+  }
+  flipflop::Buffer<std::uint8_t> within(static_cast<std::size_t>(count));
+  const std::int64_t kept =
+    flipflop::cellsWithinEdgeLength(points, cells, longest, within.data(), options);
+  if (kept < count)
+  {
+    flipflop::keepCells(cells, within.data());
+  }
+  return count - kept;
+}
+
+//------------------------------------------------------------------------------
+flipflop::Hull FFPlanarInput::HullInSpace(
+  const std::vector<std::array<double, 3>>& points, const flipflop::Options& chosen)
+{
+  flipflop::Options options = chosen;
+  options.progress = nullptr;
+  options.step = nullptr;
+  return flipflop::convexHull(
+    { points.data()->data(), static_cast<std::int64_t>(points.size()) }, options);
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::WarnOfVerticalPlane() const
+{
+  this->Run.Warnings.push_back("The points" + this->Run.OfWhat() +
+    (this->Transform ? " are on a line after the Transform, and were not before."
+                     : " are in one vertical plane, so in the XY plane they are on a line.") +
+    " To triangulate them in their own plane, set Projection Plane Mode to Best-Fitting Plane.");
+}
+VTK_ABI_NAMESPACE_END
