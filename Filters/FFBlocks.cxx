@@ -129,8 +129,10 @@ void workOnEach(vtkCompositeDataSet* input, const FFBlocks::Results& outputs, FF
   {
     std::deque<Block> blocks =
       workOnSome(pieces, done, run, type, isConcurrent, outputs.size(), work);
+    const double share = 1.0 / static_cast<double>(pieces.size());
     for (Block& block : blocks)
     {
+      FFRun::Look(run.Options, (static_cast<double>(done) + 0.5) * share);
       if (block.Run.Failure.Kind == FFFailure::Aborted)
       {
         throw flipflop::Error(flipflop::ErrorCode::Aborted);
@@ -141,7 +143,7 @@ void workOnEach(vtkCompositeDataSet* input, const FFBlocks::Results& outputs, FF
         vtkCompositeDataSet::SafeDownCast(outputs[port])->SetDataSet(leaf, block.Made[port]);
       }
       leaf->GoToNextItem();
-      FFRun::Look(run.Options, static_cast<double>(++done) / static_cast<double>(pieces.size()));
+      FFRun::Look(run.Options, static_cast<double>(++done) * share);
     }
   }
 }

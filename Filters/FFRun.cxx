@@ -324,7 +324,12 @@ void FFRun::Add(FFRun& part, bool aloud)
 int FFRun::Finish(const std::vector<vtkDataObject*>& outputs, bool aloud)
 {
   const bool isAborted = this->Failure.Kind == FFFailure::Aborted;
+  const bool areComposites = !outputs.empty() && outputs[0]->IsA("vtkCompositeDataSet");
   this->ReportFailure(aloud);
+  if (isAborted && !areComposites) // what was done of a composite before an abort stays
+  {
+    this->Report = vtkFFReport();
+  }
   this->Publish(this->Report, this->Code);
   if (!this->Failure)
   {
@@ -339,9 +344,9 @@ int FFRun::Finish(const std::vector<vtkDataObject*>& outputs, bool aloud)
   }
   for (vtkDataObject* const output : outputs)
   {
-    if (!isAborted || !output->IsA("vtkCompositeDataSet"))
+    if (!isAborted || !areComposites)
     {
-      output->Initialize(); // what was done of a composite before an abort stays
+      output->Initialize();
     }
   }
   return 1;

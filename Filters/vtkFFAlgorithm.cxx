@@ -87,6 +87,13 @@ int vtkFFAlgorithm::RequestData(
 }
 
 //------------------------------------------------------------------------------
+void vtkFFAlgorithm::Execute(
+  vtkDataObject*, vtkInformationVector**, const std::vector<vtkDataObject*>&, FFRun&)
+{
+  // A subclass may have a RequestData() of its own.
+}
+
+//------------------------------------------------------------------------------
 vtkDataObject* vtkFFAlgorithm::GetSecondInput()
 {
   return this->GetNumberOfInputConnections(1) > 0 ? this->GetExecutive()->GetInputData(1, 0)

@@ -276,13 +276,13 @@ protected:
    * depend on settings and data alone. Threads may call this at the same time.
    */
   virtual void Execute(vtkDataObject* data, vtkInformationVector** inputVector,
-    const std::vector<vtkDataObject*>& results, FFRun& run) = 0;
+    const std::vector<vtkDataObject*>& results, FFRun& run);
 
   /**
    * What a run makes, for the progress text: "Convex hull"; the class of each result; whether the
    * data sets of a composite are one input; whether Execute() can be called by several threads.
    */
-  virtual const char* GetTitle() const = 0;
+  virtual const char* GetTitle() const { return this->GetClassName(); }
   virtual const char* GetResultType() const { return "vtkPolyData"; }
   virtual bool IsJoined() const { return false; }
   virtual bool IsConcurrent() const { return true; }

@@ -7,7 +7,6 @@
 
 #include "FFTest.h"
 
-#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFConvexifyFilter.h"
 #include "vtkFFHullFilter.h"
 #include "vtkFFPointsToImage.h"
@@ -74,47 +73,41 @@ inline std::vector<FilterCase> filterCases()
     own.insert(own.end(), std::begin(planar), std::end(planar));
     return own;
   };
-  const std::vector<std::string> hullSettings{ "Volume", "Area", "CompositeMode",
-    "NumberOfStreamDivisions", "GenerateCertificate" };
+  const std::vector<std::string> hullSettings{ "CompositeMode", "NumberOfStreamDivisions" };
   const std::vector<std::string> hullSteps{ "Convex hull: scanning", "Convex hull: sorting",
     "Convex hull: finishing" };
   const std::vector<std::string> hullReport{ "FlipFlopVolume", "FlipFlopArea" };
+  const std::vector<std::string> triangulationSteps{ "Delaunay triangulation: scanning",
+    "Delaunay triangulation: finishing" };
+  const std::vector<std::string> triangulationSettings = withPlanar({ "Alpha", "AlphaLines",
+    "AlphaVerts", "GenerateAlphas", "MaximumEdgeLength", "GenerateBoundary", "SourcePoints",
+    "SplitCrossingConstraints", "PolygonRule", "ClosedLinesAsBorders" });
+  const std::vector<std::string> triangulationReport{ "FlipFlopHiddenPoints",
+    "FlipFlopDroppedCells" };
   return {
     { makeFilter<vtkFFHullFilter>, false, false, "Convex hull", hullSteps, hullSettings,
       hullReport },
     { makeHullOfAllBlocks, false, false, "Convex hull", hullSteps, hullSettings, hullReport },
     { makeFilter<vtkFFConvexifyFilter>, true, false, "Convexify",
-      { "Convexify: flipping", "Convexify: finishing" },
-      { "Volume", "Area", "KernelPoint", "UseKernelPoint" }, hullReport },
-    { makeWeightedFilter<vtkFFRegularTriangulationFilter>, false, true, "Regular triangulation",
-      { "Regular triangulation: scanning", "Regular triangulation: finishing" },
-      withPlanar({ "Alpha", "AlphaLines", "AlphaVerts", "GenerateAlphas", "GenerateBoundary",
-        "GenerateCertificate", "MaximumEdgeLength", "NumberOfHiddenPoints",
-        "NumberOfDroppedCells" }),
-      { "FlipFlopHiddenPoints", "FlipFlopDroppedCells" } },
+      { "Convexify: flipping", "Convexify: finishing" }, { "KernelPoint", "UseKernelPoint" },
+      hullReport },
+    { makeWeightedFilter<vtkFFRegularTriangulationFilter>, false, true, "Delaunay triangulation",
+      triangulationSteps, triangulationSettings, triangulationReport },
+    { makeFilter<vtkFFRegularTriangulationFilter>, false, false, "Delaunay triangulation",
+      triangulationSteps, triangulationSettings, triangulationReport },
     { makeWeightedFilter<vtkFFPowerDiagramFilter>, false, true, "Power diagram",
       { "Power diagram: scanning", "Power diagram: making cells" },
-      withPlanar({ "PowerDiagramBounds", "PowerDiagramBoxMode", "NumberOfHiddenPoints" }),
-      { "FlipFlopHiddenPoints" } },
-    { makeFilter<vtkFFConstrainedDelaunayFilter>, false, false,
-      "Constrained Delaunay triangulation", {},
-      withPlanar({ "MaximumEdgeLength", "SplitCrossingConstraints", "PolygonRule", "SourcePoints",
-        "ClosedLinesAsBorders", "NumberOfDroppedCells", "NumberOfSplitPoints",
-        "NumberOfAddedPoints", "NumberOfHeightDifferences" }),
-      { "FlipFlopDroppedCells", "FlipFlopSplitPoints", "FlipFlopAddedPoints",
-        "FlipFlopHeightDifferences" } },
+      withPlanar({ "PowerDiagramBounds", "PowerDiagramBoxMode" }), { "FlipFlopHiddenPoints" } },
     { makeFilter<vtkFFTerrainMeshFilter>, false, false, "Terrain mesh",
       { "Terrain mesh: scanning", "Terrain mesh: inserting", "Terrain mesh: finishing" },
-      { "Tolerance", "MaximumNumberOfVertices", "GreatestError", "NumberOfPointsBeyond",
-        "NumberOfUnreachablePoints", "SourcePoints", "NumberOfAddedPoints",
-        "NumberOfHeightDifferences" },
+      { "Tolerance", "MaximumNumberOfVertices", "SourcePoints" },
       { "FlipFlopTolerance", "FlipFlopGreatestError", "FlipFlopPointsBeyond",
         "FlipFlopUnreachablePoints", "FlipFlopAddedPoints", "FlipFlopHeightDifferences" } },
     { makeFilterOfImages, false, true, "Image of points",
       { "Image of points: scanning", "Image of points: finishing" },
       withPlanar({ "SizeMode", "Dimensions", "Spacing", "UseInputBounds", "SamplingBounds",
         "InterpolationMode", "NullPointsStrategy", "NullValue", "ValidPointsMaskArrayName",
-        "InterpolateZ", "ZArrayName", "NumberOfHiddenPoints", "NumberOfDroppedCells" }),
+        "InterpolateZ", "ZArrayName" }),
       { "FlipFlopHiddenPoints" }, true },
   };
 }

@@ -171,8 +171,9 @@ bool isEmpty(vtkDataObject* output);
 /// for points that are not finite.
 bool hasForgotten(vtkFFAlgorithm* filter);
 
-/// What a filter prints of its last run: the engine, the dimension and the numbers.
-std::string printedReport(vtkFFAlgorithm* filter);
+/// What a filter reports of its last run: the error code, the engine, the dimension and the
+/// numbers.
+std::string printedReport(vtkAlgorithm* algorithm);
 
 /// The array vtkOriginalPointIds.
 std::vector<vtkIdType> originalIds(vtkPolyData* output);

@@ -5,7 +5,6 @@
 #include "FFPlanar.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkTransform.h"
@@ -121,7 +120,7 @@ void testDiagram()
 int TestFFCellMeasures(int, char*[])
 {
   testTriangles<vtkFFRegularTriangulationFilter>();
-  testTriangles<vtkFFConstrainedDelaunayFilter>();
+  testTriangles<vtkFFRegularTriangulationFilter>();
   testDiagram();
   return result();
 }

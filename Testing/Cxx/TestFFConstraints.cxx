@@ -4,7 +4,7 @@
 // polygons define what is inside.
 #include "FFPlanar.h"
 
-#include "vtkFFConstrainedDelaunayFilter.h"
+#include "vtkFFRegularTriangulationFilter.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkTransform.h"
@@ -19,7 +19,7 @@ using namespace fftest;
 namespace
 {
 
-using Filter = vtkFFConstrainedDelaunayFilter;
+using Filter = vtkFFRegularTriangulationFilter;
 
 struct Run : Watched<Filter>
 {
@@ -37,7 +37,7 @@ struct Run : Watched<Filter>
   /// Of port 1, each line with the id of its cell at the end.
   Cells Fixed()
   {
-    vtkPolyData* output = this->Filter->GetOutput(1);
+    vtkPolyData* output = this->Filter->GetOutput(3);
     auto* ids = vtkIdTypeArray::SafeDownCast(output->GetCellData()->GetArray("ConstraintCellIds"));
     Cells found = cellsOf(output->GetLines());
     FF_CHECK(ids && ids->GetNumberOfTuples() == output->GetNumberOfCells());
@@ -71,7 +71,7 @@ void testLines()
   run->RemoveSource();
   FF_CHECK(run->GetSource() == nullptr);
   FF_CHECK(polysOf(run.Watched::Run()) != across);
-  FF_CHECK(isEmpty(run->GetOutput(1)));
+  FF_CHECK(isEmpty(run->GetOutput(3)));
 }
 
 void testPlanesAndGhosts()
@@ -153,7 +153,7 @@ void testRules()
     FF_CHECK_EQUAL(run->GetOutput()->GetNumberOfPoints(), 36);
   }
   // As given, they also nest by direction.
-  run->SetPolygonRule(vtkFFConstrainedDelaunayFilter::DIRECTION);
+  run->SetPolygonRule(vtkFFRegularTriangulationFilter::DIRECTION);
   FF_CHECK(run.PolysWith({}, rings) == expected);
   // A polygon alone, the other way round: the cells outside are what is left.
   const std::size_t inside = run.PolysWith({}, { { 7, 10, 28, 25 } }).size();
@@ -163,7 +163,7 @@ void testRules()
   // Where nothing is left, a warning says so.
   Run none(makePoints(kite), makeConstraints({}, { { 0, 3, 2, 1 } }));
   FF_CHECK_EQUAL(none.Watched::Run()->GetNumberOfPolys(), 2);
-  none->SetPolygonRule(vtkFFConstrainedDelaunayFilter::DIRECTION);
+  none->SetPolygonRule(vtkFFRegularTriangulationFilter::DIRECTION);
   none->Update();
   FF_CHECK_EQUAL(none->GetOutput()->GetNumberOfPolys(), 0);
   FF_CHECK_EQUAL(none->GetOutput()->GetNumberOfPoints(), 4);
@@ -238,15 +238,11 @@ void testErrors()
     vtkFFErrorCode::ConstraintError,
     [](Filter* filter)
     {
-      filter->SetPolygonRule(vtkFFConstrainedDelaunayFilter::DIRECTION);
+      filter->SetPolygonRule(vtkFFRegularTriangulationFilter::DIRECTION);
       filter->SetSplitCrossingConstraints(true);
     });
-  // There are no weights, with and without a source.
-  for (vtkPolyData* source : { line.Get(), static_cast<vtkPolyData*>(nullptr) })
-  {
-    fail(makeWeighted(kite, { 0, 1, 2, 3 }), source, "Constraints take no weights.",
-      vtkFFErrorCode::SettingError, [](Filter* filter) { useWeights(filter); });
-  }
+  fail(makeWeighted(kite, { 0, 1, 2, 3 }), line, "Constraints take no weights.",
+    vtkFFErrorCode::SettingError, [](Filter* filter) { useWeights(filter); });
 
   // Ids name the points of one data set: one in a composite will do, several are an error each.
   vtkNew<vtkMultiBlockDataSet> blocks;

@@ -5,7 +5,7 @@
 #include "FFPlanar.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkFFConstrainedDelaunayFilter.h"
+#include "vtkFFRegularTriangulationFilter.h"
 #include "vtkPoints.h"
 #include "vtkStringArray.h"
 #include "vtkTransform.h"
@@ -17,7 +17,7 @@ using namespace fftest;
 namespace
 {
 
-struct Splitting : Watched<vtkFFConstrainedDelaunayFilter>
+struct Splitting : Watched<vtkFFRegularTriangulationFilter>
 {
   Splitting(vtkDataObject* input, const Cells& lines, const Cells& polygons = {})
     : Watched(input)

@@ -5,7 +5,7 @@
 #include "FFPlanar.h"
 
 #include "vtkDelaunay2D.h"
-#include "vtkFFConstrainedDelaunayFilter.h"
+#include "vtkFFRegularTriangulationFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,16 +64,16 @@ int TestFFDelaunay2DConstrained(int, char*[])
   // Euler: of n points of a polygon with one hole, and m between, there are n + 2 m triangles.
   FF_CHECK_EQUAL(expected.size(), std::size_t(17 + 9 + 2 * 11));
 
-  Watched<vtkFFConstrainedDelaunayFilter> run(input);
+  Watched<vtkFFRegularTriangulationFilter> run(input);
   run->SetSourceData(source);
   FF_CHECK(trianglesOf(run.Run()) == expected);
-  run->SetPolygonRule(vtkFFConstrainedDelaunayFilter::DIRECTION);
+  run->SetPolygonRule(vtkFFRegularTriangulationFilter::DIRECTION);
   FF_CHECK(trianglesOf(run.Run()) == expected);
   // The hole the other way round: it is one by nesting; by direction, the sides disagree.
   std::reverse(hole.begin(), hole.end());
   run->SetSourceData(makeConstraints({}, { outer, hole }));
   run.Fail("The polygons disagree about what is inside", vtkFFErrorCode::ConstraintError);
-  run->SetPolygonRule(vtkFFConstrainedDelaunayFilter::EVEN_ODD);
+  run->SetPolygonRule(vtkFFRegularTriangulationFilter::EVEN_ODD);
   FF_CHECK(trianglesOf(run.Run()) == expected);
   return result();
 }

@@ -3,6 +3,7 @@
 // The choice of the engine: which one ran and why is reported, and the output does not depend on
 // it. Where there is no device, asking for one is an error.
 #include "FFCases.h"
+#include "FFPlanar.h"
 #include "FFTest.h"
 
 #include "vtkFFErrorCode.h"
@@ -169,14 +170,15 @@ int TestFFEngines(int, char*[])
   for (const FilterCase& of : filterCases())
   {
     const auto filter = of.New();
-    if (!of.TakesSurface && !filter->IsA("vtkFFConstrainedDelaunayFilter") &&
-      !filter->IsA("vtkFFTerrainMeshFilter"))
+    if (!of.TakesSurface && !filter->IsA("vtkFFTerrainMeshFilter"))
     {
       testChoice(filter);
     }
   }
   testNoChoice(vtkNew<vtkFFConvexifyFilter>(), "this filter runs on the CPU");
-  testNoChoice(vtkNew<vtkFFConstrainedDelaunayFilter>(), "constraints are the CPU's");
+  vtkNew<vtkFFRegularTriangulationFilter> constrained;
+  constrained->SetSourceData(makeConstraints({ { 0, 1 } }));
+  testNoChoice(constrained, "constraints are the CPU's");
   testNoChoice(vtkNew<vtkFFTerrainMeshFilter>(), "terrain meshes are the CPU's");
   testSettings();
   testFlat();

@@ -109,7 +109,7 @@ int TestFFErrors(int, char*[])
     testNonFinite(of, VTK_FLOAT);
   }
   testTransform<vtkFFRegularTriangulationFilter>(false);
-  testTransform<vtkFFConstrainedDelaunayFilter>(false);
+  testTransform<vtkFFRegularTriangulationFilter>(false);
   testTransform<vtkFFPowerDiagramFilter>(true);
   testBox();
   return result();

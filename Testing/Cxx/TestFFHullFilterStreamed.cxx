@@ -300,11 +300,6 @@ void testBlocks()
     { "A composite that is streamed has one hull. Set Composite Mode to Hull of All Blocks, or "
       "Number Of Stream Divisions to 1." }));
   pair.Streaming->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS);
-  pair.Streaming->SetGenerateCertificate(true);
-  FF_CHECK(fails(pair.Streaming, vtkFFErrorCode::SettingError,
-    { "A certificate needs all points at once, and the input is streamed. Turn off Generate "
-      "Certificate, or set Number Of Stream Divisions to 1." }));
-  pair.Streaming->SetGenerateCertificate(false);
   pair.Streaming->SetCompositeMode(vtkFFHullFilter::HULL_OF_EACH_BLOCK);
   pair.Streaming->SetNumberOfStreamDivisions(1);
   FF_CHECK(succeeds(pair.Streaming));

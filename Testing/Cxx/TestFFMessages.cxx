@@ -26,10 +26,10 @@ std::string said(const std::function<void()>& work)
 {
   vtkNew<vtkFFHullFilter> filter;
   const auto errors = ErrorObserver::Of(filter);
-  FFRun run(filter, "A test", nullptr);
+  FFRun run(filter, "A test");
   FF_CHECK(!run.Do(work));
   FF_CHECK(!run.Do([] { FF_CHECK(!"no work is done after a failure"); }));
-  FF_CHECK_EQUAL(run.Finish(), 1); // the executive would add a message
+  FF_CHECK_EQUAL(run.Finish({}), 1); // the executive would add a message
   FF_CHECK(errors->Messages.size() <= 1);
   if (errors->Messages.empty())
   {

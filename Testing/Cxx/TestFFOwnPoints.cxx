@@ -4,7 +4,7 @@
 #include "FFPlanar.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkFFConstrainedDelaunayFilter.h"
+#include "vtkFFRegularTriangulationFilter.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkPoints.h"
@@ -18,7 +18,7 @@ using namespace fftest;
 namespace
 {
 
-using Filter = vtkFFConstrainedDelaunayFilter;
+using Filter = vtkFFRegularTriangulationFilter;
 
 struct Run : Watched<Filter>
 {
@@ -86,7 +86,7 @@ void testHeightsAndMarks()
   FF_CHECK_EQUAL(reported(output, "AddedPoints"), 3.0);
   FF_CHECK_EQUAL(reported(output, "HeightDifferences"), 2.0);
   auto* const cells =
-    vtkIdTypeArray::SafeDownCast(run->GetOutput(1)->GetCellData()->GetArray("ConstraintCellIds"));
+    vtkIdTypeArray::SafeDownCast(run->GetOutput(3)->GetCellData()->GetArray("ConstraintCellIds"));
   FF_CHECK(cells && cells->GetNumberOfValues() == 4 && run.Value("PointOrigin", 7) == 2);
 
   // By id, they cross at different heights, too; and nothing is marked if nothing may join.
@@ -143,7 +143,7 @@ void testWhosePoints()
     Run run(input, sourceOf(points, { { 0, 2 } }));
     run->SetSourcePoints(whose);
     run.Watched::Run();
-    FF_CHECK_EQUAL(run->GetOutput(1)->GetNumberOfLines(), 1);
+    FF_CHECK_EQUAL(run->GetOutput(3)->GetNumberOfLines(), 1);
     FF_CHECK((run->GetOutput()->GetPointData()->GetArray("PointOrigin") != nullptr) ==
       (whose == Filter::OWN_POINTS || points != corners));
     return run->GetNumberOfAddedPoints();

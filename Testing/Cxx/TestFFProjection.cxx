@@ -5,7 +5,6 @@
 // ends a transform of points.
 #include "FFPlanar.h"
 
-#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkMath.h"
@@ -193,7 +192,7 @@ int TestFFProjection(int, char*[])
   testPlanes();
   testVerticalPlane<vtkFFRegularTriangulationFilter>();
   testVerticalPlane<vtkFFPowerDiagramFilter>();
-  testVerticalPlane<vtkFFConstrainedDelaunayFilter>();
+  testVerticalPlane<vtkFFRegularTriangulationFilter>();
   testFilterStops();
   return result();
 }

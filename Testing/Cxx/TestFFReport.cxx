@@ -89,11 +89,12 @@ void check(vtkFFAlgorithm* filter, const Names& own)
   }
 }
 
-/// Points, one of them not finite, with field data of their own.
+/// Points, one of them not finite and two at one position, with field data of their own.
 vtkSmartPointer<vtkPolyData> makeInput(int count)
 {
   auto input = randomWeighted(count, 61);
   input->GetPoints()->SetPoint(3, 0.0, NAN, 0.0);
+  input->GetPoints()->SetPoint(5, input->GetPoint(4));
   vtkNew<vtkDoubleArray> time;
   time->SetName("time");
   time->InsertNextValue(4.5);

@@ -5,7 +5,6 @@
 #include "FFCases.h"
 #include "FFPlanar.h"
 
-#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFConvexifyFilter.h"
 #include "vtkFFErrorCode.h"
 #include "vtkFFPointInterpolator2D.h"
@@ -158,7 +157,7 @@ struct NumberCase
 std::vector<NumberCase> numberCases()
 {
   using Regular = vtkFFRegularTriangulationFilter;
-  using Constrained = vtkFFConstrainedDelaunayFilter;
+  using Constrained = vtkFFRegularTriangulationFilter;
   using Terrain = vtkFFTerrainMeshFilter;
   using Image = vtkFFPointsToImage;
   using Interpolator = vtkFFPointInterpolator2D;
@@ -248,11 +247,11 @@ void testTable()
   select->SetSurfaceData(table);
   FF_CHECK(failsInPart(select, vtkFFErrorCode::InputError,
     { "The data of the surface is a vtkTable. It must be a vtkDataSet" }));
-  vtkNew<vtkFFRegularTriangulationFilter> triangulation; // VTK's own words
-  const auto errors = ErrorObserver::Of(triangulation);
-  triangulation->SetInputDataObject(table);
-  triangulation->Update();
-  FF_CHECK(errors->Has("is of type vtkTable, but a vtkDataSet is required."));
+  vtkNew<vtkFFRegularTriangulationFilter> triangulation;
+  triangulation->SetInputData(makePoints(cubeCorners()));
+  triangulation->SetSourceData(table);
+  FF_CHECK(fails(triangulation, vtkFFErrorCode::InputError,
+    { "The source is a vtkTable. It must be a vtkPolyData" }));
 }
 
 }
@@ -261,7 +260,6 @@ int TestFFSettings(int, char*[])
 {
   testTransform(vtkNew<vtkFFRegularTriangulationFilter>());
   testTransform(vtkNew<vtkFFPowerDiagramFilter>());
-  testTransform(vtkNew<vtkFFConstrainedDelaunayFilter>());
   testBounds();
   testKernelPoint();
   for (const NumberCase& of : numberCases())

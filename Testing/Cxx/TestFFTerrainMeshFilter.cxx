@@ -5,7 +5,7 @@
 #include "FFPlanar.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkFFConstrainedDelaunayFilter.h"
+#include "vtkFFRegularTriangulationFilter.h"
 #include "vtkFFTerrainMeshFilter.h"
 #include "vtkPointData.h"
 
@@ -217,10 +217,10 @@ void testSurvey(unsigned int seed, double tolerance)
     }
   }
   FF_CHECK(added > 0 && run->GetNumberOfAddedPoints() == added);
-  vtkNew<vtkFFConstrainedDelaunayFilter> ofKept;
+  vtkNew<vtkFFRegularTriangulationFilter> ofKept;
   ofKept->SetInputData(makePoints(kept));
   ofKept->SetSourceData(survey.Source());
-  ofKept->SetSourcePoints(vtkFFConstrainedDelaunayFilter::OWN_POINTS);
+  ofKept->SetSourcePoints(vtkFFRegularTriangulationFilter::OWN_POINTS);
   ofKept->Update();
   mesh->GetPointData()->RemoveArray("vtkOriginalPointIds");
   ofKept->GetOutput()->GetPointData()->RemoveArray("vtkOriginalPointIds");

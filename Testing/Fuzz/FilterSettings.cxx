@@ -5,7 +5,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataObject.h"
-#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFConvexifyFilter.h"
 #include "vtkFFHullFilter.h"
 #include "vtkFFPointInterpolator2D.h"
@@ -187,7 +186,7 @@ void setKernel(Bytes& bytes, vtkFFConvexifyFilter* filter)
   filter->SetUseKernelPoint(bytes.flag());
 }
 
-void setSource(Bytes& bytes, vtkFFConstrainedDelaunayFilter* filter)
+void setSource(Bytes& bytes, vtkFFRegularTriangulationFilter* filter)
 {
   const int choices = bytes.byte();
   filter->SetSplitCrossingConstraints((choices & 1) != 0);
@@ -270,7 +269,7 @@ std::vector<Setter> settersOfThePlane()
 {
   using F = vtkFFPlanarAlgorithm;
   using T = vtkFFRegularTriangulationFilter;
-  using C = vtkFFConstrainedDelaunayFilter;
+  using C = vtkFFRegularTriangulationFilter;
   using P = vtkFFPowerDiagramFilter;
   return {
     of<F>([](Bytes& b, F* f) { f->SetProjectionPlaneMode(drawChoice(b)); }),

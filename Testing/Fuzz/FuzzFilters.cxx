@@ -13,7 +13,6 @@
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFConvexifyFilter.h"
 #include "vtkFFHullFilter.h"
 #include "vtkFFPointInterpolator2D.h"
@@ -28,7 +27,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
-#include "vtkPFFDelaunayFilter.h"
 #include "vtkPFFHullFilter.h"
 #include "vtkPFFPowerDiagramFilter.h"
 #include "vtkPFFRegularTriangulationFilter.h"
@@ -93,7 +91,7 @@ vtkSmartPointer<vtkAlgorithm> makeFilter(int kind)
     case 4:
       return ofOneProcess<vtkPFFRegularTriangulationFilter>();
     case 5:
-      return ofOneProcess<vtkPFFDelaunayFilter>();
+      return ofOneProcess<vtkPFFRegularTriangulationFilter>();
     case 6:
       return ofOneProcess<vtkPFFPowerDiagramFilter>();
     case 7:
@@ -393,7 +391,7 @@ private:
   {
     auto* input = vtkDataObjectTree::SafeDownCast(this->Input[0]);
     auto* output = vtkDataObjectTree::SafeDownCast(this->Filter->GetOutputDataObject(0));
-    auto* constrained = vtkFFConstrainedDelaunayFilter::SafeDownCast(this->Filter);
+    auto* constrained = vtkFFRegularTriangulationFilter::SafeDownCast(this->Filter);
     auto* image = vtkFFPointsToImage::SafeDownCast(this->Filter);
     const bool hasSource =
       (constrained && constrained->GetSource()) || (image && image->GetSource());

@@ -6,13 +6,11 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
-#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFErrorCode.h"
 #include "vtkFFHullFilter.h"
 #include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkPFFDelaunayFilter.h"
 #include "vtkPFFHullFilter.h"
 #include "vtkPFFPowerDiagramFilter.h"
 #include "vtkPFFRegularTriangulationFilter.h"
@@ -46,7 +44,7 @@ std::vector<DistributedVersusSerial> makeComparisons()
     [](auto* hull) { hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS); });
   all.push_back(compare<vtkPFFRegularTriangulationFilter, Triangulation>());
   all.push_back(compare<vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter>());
-  all.push_back(compare<vtkPFFDelaunayFilter, vtkFFConstrainedDelaunayFilter>());
+  all.push_back(compare<vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter>());
   return all;
 }
 
@@ -294,10 +292,10 @@ void testSeveral()
   vtkFFPowerDiagramFilter::SafeDownCast(box.Distributed)->SetPowerDiagramBounds(1, 0, 0, 1);
   box.Fails("no box", ownOf(pieces), "(xmin, xmax, ymin, ymax)");
   DistributedVersusSerial lengths[] = { compare<vtkPFFRegularTriangulationFilter, Triangulation>(),
-    compare<vtkPFFDelaunayFilter, vtkFFConstrainedDelaunayFilter>() };
+    compare<vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter>() };
   Triangulation::SafeDownCast(lengths[0].Distributed)->SetAlpha(-1.0);
   lengths[0].Fails("alpha", ownOf(pieces), "Alpha is -1; it must be a length");
-  vtkFFConstrainedDelaunayFilter::SafeDownCast(lengths[1].Distributed)->SetMaximumEdgeLength(nan);
+  vtkFFRegularTriangulationFilter::SafeDownCast(lengths[1].Distributed)->SetMaximumEdgeLength(nan);
   lengths[1].Fails("length", ownOf(pieces), "Maximum Edge Length is nan; it must be a length");
   DistributedVersusSerial boundary = compare<vtkPFFRegularTriangulationFilter, Triangulation>();
   boundary.Set<Triangulation>([](auto* filter) { filter->SetGenerateBoundary(true); });
@@ -306,9 +304,9 @@ void testSeveral()
     "Generate Alphas, Generate Boundary and Generate Certificate must be off. To have them, bring "
     "all points to one process.");
   DistributedVersusSerial constrained =
-    compare<vtkPFFDelaunayFilter, vtkFFConstrainedDelaunayFilter>();
+    compare<vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter>();
   vtkNew<vtkPolyData> source;
-  vtkFFConstrainedDelaunayFilter::SafeDownCast(constrained.Distributed)->SetSourceData(source);
+  vtkFFRegularTriangulationFilter::SafeDownCast(constrained.Distributed)->SetSourceData(source);
   constrained.Fails("constraints", ownOf(pieces),
     "Constraints need all points on one process, and several triangulate together. Bring all "
     "points to one process, or take the source away.");

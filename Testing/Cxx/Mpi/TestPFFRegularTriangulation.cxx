@@ -6,11 +6,9 @@
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkFFConstrainedDelaunayFilter.h"
 #include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkPFFDelaunayFilter.h"
 #include "vtkPFFPowerDiagramFilter.h"
 #include "vtkPFFRegularTriangulationFilter.h"
 #include "vtkPointData.h"
@@ -31,13 +29,13 @@ std::vector<DistributedVersusSerial> makeComparisons()
   std::vector<DistributedVersusSerial> all;
   all.push_back(compare<vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter>());
   all.push_back(compare<vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter>());
-  all.push_back(compare<vtkPFFDelaunayFilter, vtkFFConstrainedDelaunayFilter>());
+  all.push_back(compare<vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter>());
   return all;
 }
 
 bool takesWeights(const DistributedVersusSerial& both)
 {
-  return !vtkFFConstrainedDelaunayFilter::SafeDownCast(both.Serial);
+  return !vtkFFRegularTriangulationFilter::SafeDownCast(both.Serial);
 }
 
 /// With data of every kind, and weights that hide some points.
@@ -130,9 +128,9 @@ void testPieces(DistributedVersusSerial& both)
       }
     }
   }
-  if (auto* delaunay = vtkFFConstrainedDelaunayFilter::SafeDownCast(both.Distributed))
+  if (auto* delaunay = vtkFFRegularTriangulationFilter::SafeDownCast(both.Distributed))
   {
-    both.Set<vtkFFConstrainedDelaunayFilter>(
+    both.Set<vtkFFRegularTriangulationFilter>(
       [](auto* filter) { filter->SetMaximumEdgeLength(0.1); });
     run(both, "a longest edge", makePieces(random));
     FF_CHECK(rank() > 0 || delaunay->GetNumberOfDroppedCells() > 0);
