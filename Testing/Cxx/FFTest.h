@@ -171,7 +171,7 @@ bool isEmpty(vtkDataObject* output);
 /// for points that are not finite.
 bool hasForgotten(vtkFFAlgorithm* filter);
 
-/// What a filter reports of its last run: the error code, the engine, the dimension and the
+/// What a filter reports of its last run: the engine, the dimension and the
 /// numbers.
 std::string printedReport(vtkAlgorithm* algorithm);
 

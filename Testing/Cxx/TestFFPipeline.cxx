@@ -161,7 +161,7 @@ std::string run(vtkAlgorithm* filter, vtkDataObject* input)
   {
     said += message.substr(message.find("): "));
   }
-  return said + printed(filter);
+  return said + printed(filter) + printedReport(filter);
 }
 
 /// Whatever a filter has been through, and wherever the caller has its progress lie, it gives what

@@ -117,7 +117,7 @@ void removeReasons(vtkDataObject* data)
 std::string reportOf(vtkFFAlgorithm* filter)
 {
   std::istringstream lines(printedReport(filter));
-  std::string report = std::to_string(filter->GetNumberOfNonFinitePoints()) + " not finite\n";
+  std::string report;
   for (std::string line; std::getline(lines, line);)
   {
     report += line.find("EngineReason") == std::string::npos ? line + "\n" : "";

@@ -44,7 +44,6 @@ std::vector<DistributedVersusSerial> makeComparisons()
     [](auto* hull) { hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_ALL_BLOCKS); });
   all.push_back(compare<vtkPFFRegularTriangulationFilter, Triangulation>());
   all.push_back(compare<vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter>());
-  all.push_back(compare<vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter>());
   return all;
 }
 
@@ -292,35 +291,29 @@ void testSeveral()
   vtkFFPowerDiagramFilter::SafeDownCast(box.Distributed)->SetPowerDiagramBounds(1, 0, 0, 1);
   box.Fails("no box", ownOf(pieces), "(xmin, xmax, ymin, ymax)");
   DistributedVersusSerial lengths[] = { compare<vtkPFFRegularTriangulationFilter, Triangulation>(),
-    compare<vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter>() };
+    compare<vtkPFFRegularTriangulationFilter, Triangulation>() };
   Triangulation::SafeDownCast(lengths[0].Distributed)->SetAlpha(-1.0);
   lengths[0].Fails("alpha", ownOf(pieces), "Alpha is -1; it must be a length");
-  vtkFFRegularTriangulationFilter::SafeDownCast(lengths[1].Distributed)->SetMaximumEdgeLength(nan);
+  Triangulation::SafeDownCast(lengths[1].Distributed)->SetMaximumEdgeLength(nan);
   lengths[1].Fails("length", ownOf(pieces), "Maximum Edge Length is nan; it must be a length");
-  DistributedVersusSerial boundary = compare<vtkPFFRegularTriangulationFilter, Triangulation>();
-  boundary.Set<Triangulation>([](auto* filter) { filter->SetGenerateBoundary(true); });
-  boundary.Fails("boundary", ownOf(pieces),
-    "Several processes triangulate together, and none has all cells: Alpha Lines, Alpha Verts, "
-    "Generate Alphas, Generate Boundary and Generate Certificate must be off. To have them, bring "
-    "all points to one process.");
-  DistributedVersusSerial constrained =
-    compare<vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter>();
+  DistributedVersusSerial bounded = compare<vtkPFFRegularTriangulationFilter, Triangulation>();
+  auto* const triangulation = Triangulation::SafeDownCast(bounded.Distributed);
+  for (int process = 0; process <= processes(); ++process)
+  {
+    triangulation->SetGenerateBoundary(rank() == process || process == processes());
+    bounded.Fails("boundary", ownOf(pieces),
+      "Several processes triangulate together, and none has all cells: Alpha Lines, Alpha Verts, "
+      "Generate Alphas and Generate Boundary must be off. To have them, bring all points to one "
+      "process.");
+    triangulation->SetGenerateBoundary(false);
+    bounded.Run("after a boundary", pieces);
+  }
+  DistributedVersusSerial constrained = compare<vtkPFFRegularTriangulationFilter, Triangulation>();
   vtkNew<vtkPolyData> source;
-  vtkFFRegularTriangulationFilter::SafeDownCast(constrained.Distributed)->SetSourceData(source);
+  Triangulation::SafeDownCast(constrained.Distributed)->SetSourceData(source);
   constrained.Fails("constraints", ownOf(pieces),
     "Constraints need all points on one process, and several triangulate together. Bring all "
     "points to one process, or take the source away.");
-  DistributedVersusSerial certified = compare<vtkPFFHullFilter, vtkFFHullFilter>();
-  auto* hull = vtkFFHullFilter::SafeDownCast(certified.Distributed);
-  for (int process = 0; process <= processes(); ++process)
-  {
-    hull->SetGenerateCertificate(rank() == process || process == processes());
-    certified.Fails("certificate", ownOf(pieces),
-      "Several processes have a part of the points each, and a certificate needs all. Turn off "
-      "Generate Certificate, or bring all points to one process.");
-    hull->SetGenerateCertificate(false);
-    certified.Run("after a certificate", pieces);
-  }
 }
 
 /// Processes that are not of MPI cannot exchange messages: the two of a socket.

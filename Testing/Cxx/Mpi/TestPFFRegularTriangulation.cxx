@@ -29,13 +29,7 @@ std::vector<DistributedVersusSerial> makeComparisons()
   std::vector<DistributedVersusSerial> all;
   all.push_back(compare<vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter>());
   all.push_back(compare<vtkPFFPowerDiagramFilter, vtkFFPowerDiagramFilter>());
-  all.push_back(compare<vtkPFFRegularTriangulationFilter, vtkFFRegularTriangulationFilter>());
   return all;
-}
-
-bool takesWeights(const DistributedVersusSerial& both)
-{
-  return !vtkFFRegularTriangulationFilter::SafeDownCast(both.Serial);
 }
 
 /// With data of every kind, and weights that hide some points.
@@ -120,26 +114,18 @@ void testPieces(DistributedVersusSerial& both)
       for (const auto& setting : settings)
       {
         both.Set<Filter>(setting.second);
-        if (!takesWeights(both))
-        {
-          both.Set<Filter>([](Filter* filter) { useWeights(filter, ""); });
-        }
         run(both, shape.first + ", " + dealing.first + ", " + setting.first, pieces);
       }
     }
   }
-  if (auto* delaunay = vtkFFRegularTriangulationFilter::SafeDownCast(both.Distributed))
+  using Triangulation = vtkFFRegularTriangulationFilter;
+  if (auto* triangulation = Triangulation::SafeDownCast(both.Distributed))
   {
-    both.Set<vtkFFRegularTriangulationFilter>(
-      [](auto* filter) { filter->SetMaximumEdgeLength(0.1); });
-    run(both, "a longest edge", makePieces(random));
-    FF_CHECK(rank() > 0 || delaunay->GetNumberOfDroppedCells() > 0);
-  }
-  auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(both.Distributed);
-  if (triangulation)
-  {
-    run(both, "hidden points", makePieces(random));
+    both.Set<Triangulation>([](Triangulation* filter) { filter->SetMaximumEdgeLength(0.1); });
+    run(both, "a longest edge, hidden points", makePieces(random));
+    FF_CHECK(rank() > 0 || triangulation->GetNumberOfDroppedCells() > 0);
     FF_CHECK(rank() > 0 || triangulation->GetNumberOfHiddenPoints() > 0);
+    both.Set<Triangulation>([](Triangulation* filter) { filter->SetMaximumEdgeLength(0.0); });
   }
 }
 
