@@ -17,7 +17,6 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkTransform
 
 from vtkflipflop import (
-    vtkFFConstrainedDelaunayFilter,
     vtkFFConvexifyFilter,
     vtkFFHullFilter,
     vtkFFPointInterpolator2D,
@@ -180,7 +179,7 @@ def constrained(lines, polygons=(), points="0 -3 0; 1 0 0; 0 3 0; -1 0 0", **set
             for point in cell:
                 array.InsertCellPoint(point)
         add(array)
-    algorithm = planar(vtkFFConstrainedDelaunayFilter, points, **settings)
+    algorithm = planar(vtkFFRegularTriangulationFilter, points, **settings)
     algorithm.SetSourceData(source)
     return algorithm
 
@@ -259,7 +258,7 @@ FITTING = vtkFFRegularTriangulationFilter.BEST_FITTING_PLANE
 RADII = vtkFFRegularTriangulationFilter.RADII
 IGNORE = vtkFFRegularTriangulationFilter.NON_FINITE_IGNORE
 BOUNDS = vtkFFPowerDiagramFilter.BOX_OF_BOUNDS
-DIRECTION = vtkFFConstrainedDelaunayFilter.DIRECTION
+DIRECTION = vtkFFRegularTriangulationFilter.DIRECTION
 CUDA = vtkFFHullFilter.ENGINE_CUDA
 POINTS, CELLS = vtkDataObject.FIELD_ASSOCIATION_POINTS, vtkDataObject.FIELD_ASSOCIATION_CELLS
 
@@ -341,7 +340,7 @@ FAILURES = {
         PolygonRule=DIRECTION,
     ),
     "constraints with points of their own": lambda: constrained_with_points(
-        "0 -3 0; 1 0 0; 0 3.5 0; -1 0 0", SourcePoints=vtkFFConstrainedDelaunayFilter.INPUT_POINTS
+        "0 -3 0; 1 0 0; 0 3.5 0; -1 0 0", SourcePoints=vtkFFRegularTriangulationFilter.INPUT_POINTS
     ),
     "constraints with too few points": lambda: constrained_with_points("0 -3 0"),
     "constraints and weights": constrained_with_weights,

@@ -269,7 +269,6 @@ std::vector<Setter> settersOfThePlane()
 {
   using F = vtkFFPlanarAlgorithm;
   using T = vtkFFRegularTriangulationFilter;
-  using C = vtkFFRegularTriangulationFilter;
   using P = vtkFFPowerDiagramFilter;
   return {
     of<F>([](Bytes& b, F* f) { f->SetProjectionPlaneMode(drawChoice(b)); }),
@@ -297,9 +296,7 @@ std::vector<Setter> settersOfThePlane()
     of<T>([](Bytes& b, T* f) { f->SetAlphaLines(b.flag()); }),
     of<T>([](Bytes& b, T* f) { f->SetAlphaVerts(b.flag()); }),
     of<T>([](Bytes& b, T* f) { f->SetGenerateAlphas(b.flag()); }),
-    of<T>([](Bytes& b, T* f) { f->SetGenerateCertificate(b.flag()); }),
-    of<C>([](Bytes& b, C* f) { f->SetMaximumEdgeLength(drawLength(b)); }),
-    of<C>(setSource),
+    of<T>(setSource),
     of<P>([](Bytes& b, P* f) { f->SetPowerDiagramBoxMode(drawChoice(b)); }),
     of<P>(setBounds),
   };

@@ -15,8 +15,7 @@ import pyvista as pv
 try:
     from vtkflipflop import (
         vtkFFAlgorithm,
-        vtkFFConstrainedDelaunayFilter,
-        vtkFFConvexifyFilter,
+            vtkFFConvexifyFilter,
         vtkFFHullFilter,
         vtkFFPointsToImage,
         vtkFFPowerDiagramFilter,
@@ -247,7 +246,7 @@ def test_lines_with_points_of_their_own(name):
     lines = pv.PolyData(points, lines=[3, 1, 2, 3, 2, 4, 5], faces=[4, 2, 5, 3, 4])
     lines.point_data["f8"] = np.arange(7) + 0.5
     lines.point_data["name"] = np.array([f"q{i}" for i in range(7)])
-    algorithm = vtkFFConstrainedDelaunayFilter()
+    algorithm = vtkFFRegularTriangulationFilter()
     algorithm.SetInputDataObject(mesh)
     algorithm.SetSourceData(lines)
     algorithm.SetSplitCrossingConstraints(True)
@@ -276,7 +275,7 @@ def test_constraints(name, facets):
     chains = faces["vtkOriginalPointIds"][faces.regular_faces]
     source = pv.PolyData(mesh.points, lines=[2, *chains[3][:2], 3, *chains[7]], faces=[3, *chains[11]])
     row = joined(*facets, ({"constraints": source}, {"SetSourceData": [source]}))
-    expect_same(regular_triangulation, vtkFFConstrainedDelaunayFilter, mesh, *row)
+    expect_same(regular_triangulation, vtkFFRegularTriangulationFilter, mesh, *row)
 
 
 def test_points_that_are_not_finite():

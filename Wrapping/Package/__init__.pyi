@@ -3,7 +3,6 @@
 from . import arrays as arrays
 from . import pyvista as pyvista
 from .vtkFiltersFlipFlop import vtkFFAlgorithm as vtkFFAlgorithm
-from .vtkFiltersFlipFlop import vtkFFConstrainedDelaunayFilter as vtkFFConstrainedDelaunayFilter
 from .vtkFiltersFlipFlop import vtkFFConvexifyFilter as vtkFFConvexifyFilter
 from .vtkFiltersFlipFlop import vtkFFHullAlgorithm as vtkFFHullAlgorithm
 from .vtkFiltersFlipFlop import vtkFFHullFilter as vtkFFHullFilter
@@ -16,7 +15,6 @@ from .vtkFiltersFlipFlop import vtkFFRegularTriangulationFilter as vtkFFRegularT
 from .vtkFiltersFlipFlop import vtkFFSelectEnclosedPoints as vtkFFSelectEnclosedPoints
 from .vtkFiltersFlipFlop import vtkFFStreamedWriter as vtkFFStreamedWriter
 from .vtkFiltersFlipFlop import vtkFFTerrainMeshFilter as vtkFFTerrainMeshFilter
-from .vtkFiltersParallelFlipFlop import vtkPFFDelaunayFilter as vtkPFFDelaunayFilter
 from .vtkFiltersParallelFlipFlop import vtkPFFHullFilter as vtkPFFHullFilter
 from .vtkFiltersParallelFlipFlop import vtkPFFPowerDiagramFilter as vtkPFFPowerDiagramFilter
 from .vtkFiltersParallelFlipFlop import vtkPFFRegularTriangulationFilter as vtkPFFRegularTriangulationFilter

@@ -8,7 +8,6 @@ check()  # before any library is loaded: with another VTK than it was built for,
 
 from .vtkFiltersFlipFlop import (  # noqa: E402
     vtkFFAlgorithm,
-    vtkFFConstrainedDelaunayFilter,
     vtkFFConvexifyFilter,
     vtkFFHullAlgorithm,
     vtkFFHullFilter,
@@ -23,7 +22,6 @@ from .vtkFiltersFlipFlop import (  # noqa: E402
     vtkFFTerrainMeshFilter,
 )
 from .vtkFiltersParallelFlipFlop import (  # noqa: E402
-    vtkPFFDelaunayFilter,
     vtkPFFHullFilter,
     vtkPFFPowerDiagramFilter,
     vtkPFFRegularTriangulationFilter,
@@ -31,7 +29,6 @@ from .vtkFiltersParallelFlipFlop import (  # noqa: E402
 
 __all__ = [
     "vtkFFAlgorithm",
-    "vtkFFConstrainedDelaunayFilter",
     "vtkFFConvexifyFilter",
     "vtkFFHullAlgorithm",
     "vtkFFHullFilter",
@@ -44,7 +41,6 @@ __all__ = [
     "vtkFFSelectEnclosedPoints",
     "vtkFFStreamedWriter",
     "vtkFFTerrainMeshFilter",
-    "vtkPFFDelaunayFilter",
     "vtkPFFHullFilter",
     "vtkPFFPowerDiagramFilter",
     "vtkPFFRegularTriangulationFilter",

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results of the filters, with certificates, as .vtp files: Checker/check_result.py reads each form and accepts them.
+"""Results of the filters as .vtp files: Checker/check_result.py reads each form and accepts them.
 
 Data/ is among the inputs. Testing/Arrays/TestChecker.py has what the program notices.
 """
@@ -71,13 +71,11 @@ def made(kind, data, facets=vtkFFAlgorithm.FACETS_AS_TRIANGLES):
     run.SetFacetMode(facets)
     if kind is not vtkFFHullFilter and data.GetPointData().HasArray("weight"):
         run.SetInputArrayToProcess(0, 0, 0, 0, "weight")
-    if kind is not vtkFFPowerDiagramFilter:
-        run.SetGenerateCertificate(True)
     run.Update()
     return run.GetOutput()
 
 
-class TestCertificate(unittest.TestCase):
+class TestCheckedFiles(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -129,15 +127,9 @@ class TestCertificate(unittest.TestCase):
         box = map(repr, diagram.GetBounds()[:4])
         self.check("diagram", diagram, data, "--triangulation", self.path("triangulation.vtp"), "--box", *box)
 
-    def test_certificate_is_that_of_the_cells(self):
+    def test_wrong_point(self):
         data = cloud(np.random.default_rng(9).random((50, 3)))
         hull = made(vtkFFHullFilter, data)
-        names = hull.GetFieldData().GetArray("FlipFlopCertificate")
-        self.assertEqual(names.GetNumberOfTuples(), 50)
-        self.assertEqual(hull.GetFieldData().GetArray("FlipFlopApex").GetNumberOfComponents(), 3)
-        inner = next(i for i in range(50) if hull.GetPointData().GetArray("vtkOriginalPointIds").LookupValue(i) < 0)
-        names.SetValue(inner, (names.GetValue(inner) + 1) % hull.GetNumberOfCells())
-        self.assertIn("which the certificate names", self.check("hull", hull, data, code=1))
         hull.GetPoints().SetPoint(0, 5, 5, 5)
         self.assertIn("is not where the input's point", self.check("hull", hull, data, code=1))
 
