@@ -20,10 +20,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <deque>
 #include <set>
 #include <stdexcept>
-#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -31,10 +31,14 @@ namespace
 
 using Pieces = std::vector<FFBlocks::PieceType>;
 
-/// Null: the input's type, if it is a data set. Else what is wrong is an error later.
-std::string typeOf(const char* type, vtkDataObject* input)
+/// An object of that class; null: of the data's, if this is a data set. (If not, an error says so.)
+vtkSmartPointer<vtkDataObject> newObject(const char* type, vtkDataObject* data)
 {
-  return type ? type : vtkDataSet::SafeDownCast(input) ? input->GetClassName() : "vtkPolyData";
+  vtkSmartPointer<vtkDataObject> object;
+  object.TakeReference(!type && vtkDataSet::SafeDownCast(data)
+      ? data->NewInstance()
+      : vtkDataObjectTypes::NewDataObject(type ? type : "vtkPolyData"));
+  return object;
 }
 
 /// Whether a block is not worth a second thread, nor the device.
@@ -57,11 +61,9 @@ struct Block
   void Work(vtkDataObject* data, const char* type, std::size_t ports, const FFBlocks::Work& work)
   {
     FFBlocks::Results results;
-    const std::string name = typeOf(type, data);
     for (std::size_t port = 0; port < ports; ++port)
     {
-      this->Made.emplace_back();
-      this->Made.back().TakeReference(vtkDataObjectTypes::NewDataObject(name.c_str()));
+      this->Made.push_back(newObject(type, data));
       results.push_back(this->Made.back());
       FFOutput::PassFieldData(data, results.back());
       FFOutput::RemoveReport(results.back()->GetFieldData());
@@ -185,18 +187,21 @@ int FFBlocks::MakeOutputs(vtkAlgorithm* filter, const char* type, bool isJoined,
   vtkDataObject* const input = vtkDataObject::GetData(inputVector[0]);
   const bool hasEach = !isJoined && vtkCompositeDataSet::SafeDownCast(input);
   const bool isLike = hasEach && (!type || input->IsA("vtkDataObjectTree"));
-  const std::string name = isLike ? input->GetClassName()
-    : hasEach                     ? "vtkMultiBlockDataSet" // of an AMR
-                                  : typeOf(type, input);
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {
     vtkInformation* const info = outputVector->GetInformationObject(port);
     vtkDataObject* const output = vtkDataObject::GetData(info);
-    if (!output || name != output->GetClassName())
+    vtkSmartPointer<vtkDataObject> made;
+    if (isLike)
     {
-      vtkSmartPointer<vtkDataObject> made;
-      made.TakeReference(
-        isLike ? input->NewInstance() : vtkDataObjectTypes::NewDataObject(name.c_str()));
+      made.TakeReference(input->NewInstance());
+    }
+    else
+    {
+      made = newObject(hasEach ? "vtkMultiBlockDataSet" : type, input); // the former of an AMR
+    }
+    if (!output || std::strcmp(output->GetClassName(), made->GetClassName()) != 0)
+    {
       info->Set(vtkDataObject::DATA_OBJECT(), made);
       filter->GetOutputPortInformation(port)->Set(
         vtkDataObject::DATA_EXTENT_TYPE(), made->GetExtentType());

@@ -17,7 +17,7 @@ SPEC = importlib.util.spec_from_file_location("measure_filters", TOP / "Scripts"
 MEASURE = importlib.util.module_from_spec(SPEC)
 SPEC.loader.exec_module(MEASURE)
 
-OURS = re.compile(r"\b(vtkP?FF\w+|flipflop)\b")
+OURS = re.compile(r"\b((?:vtkP?)?FF[A-Z]\w+|flipflop)\b")
 
 
 def classes(symbols):

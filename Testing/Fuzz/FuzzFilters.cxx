@@ -3,7 +3,8 @@
 /// @file
 /// The filters with any data, any settings and an abort at any time, by one thread or two at once:
 /// a failure is an error that is reported, with empty outputs; a success is what the engine's
-/// validate takes for right; and a block's result is the one that it has alone.
+/// validate takes for right; a block's result is the one that it has alone; and whatever a filter
+/// has been through, its outputs, report, error code and messages are those of a new one.
 #include "Bytes.h"
 #include "FilterInputs.h"
 #include "FilterRun.h"
@@ -36,6 +37,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <numeric>
 #include <thread>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
@@ -276,6 +278,17 @@ void demandSides(vtkFFSelectEnclosedPoints* filter, vtkDataSet* output)
   }
 }
 
+/// What was said, without the filter's address.
+std::vector<std::string> wordsOf(const fftest::ErrorObserver* errors)
+{
+  std::vector<std::string> words;
+  for (const std::string& message : errors->Messages)
+  {
+    words.push_back(message.substr(std::min(message.find("): "), message.size())));
+  }
+  return words;
+}
+
 /// A filter in use: settings, data and runs.
 class Session
 {
@@ -292,7 +305,7 @@ public:
   /// @param given data to run with; null: some is drawn
   void run(Bytes& bytes, vtkDataObject* given)
   {
-    this->Settings.push_back(bytes);
+    this->Runs.emplace_back(bytes);
     drawSettings(bytes, this->Filter);
     this->Abort->draw(bytes);
     for (int port = 0; port < this->inputCount(); ++port)
@@ -302,6 +315,7 @@ public:
         this->Input[port] = given && bytes.flag() ? given : drawDataObject(bytes, MostPoints).Get();
       }
       this->Filter->SetInputDataObject(port, this->Input[port]);
+      this->Runs.back().Input[port] = this->Input[port];
     }
     this->Errors->Clear();
     this->Filter->Modified(); // else a run that failed would not be run again, nor fail again
@@ -313,13 +327,18 @@ private:
   bool isQuery() const { return this->Kind == 7 || this->Kind == 8; }
   int inputCount() const { return this->isQuery() ? 2 : 1; }
 
-  /// Another filter of the same settings.
+  /// Another filter of the same settings and data, some of which go by the data before.
   vtkSmartPointer<vtkAlgorithm> another() const
   {
     const auto filter = makeFilter(this->Kind);
-    for (Bytes settings : this->Settings)
+    for (const RunType& run : this->Runs)
     {
+      Bytes settings = run.Settings;
       drawSettings(settings, filter);
+      for (int port = 0; port < this->inputCount(); ++port)
+      {
+        filter->SetInputDataObject(port, run.Input[port]);
+      }
     }
     return filter;
   }
@@ -336,6 +355,7 @@ private:
     {
       return;
     }
+    this->checkFresh();
     if (failed && (points || this->isQuery()))
     {
       return;
@@ -354,6 +374,28 @@ private:
     }
   }
 
+  /// A new filter does the same.
+  void checkFresh()
+  {
+    const auto fresh = this->another();
+    const auto errors = fftest::ErrorObserver::Of(fresh);
+    fresh->Update();
+    const auto all = [](const std::vector<std::string>& words)
+    { return std::accumulate(words.begin(), words.end(), std::string()); };
+    demand(wordsOf(errors) == wordsOf(this->Errors),
+      all(wordsOf(this->Errors)) + ", and of a new filter: " + all(wordsOf(errors)));
+    demand(
+      fresh->GetErrorCode() == this->Filter->GetErrorCode(), "another code than a new filter's");
+    demand(fftest::printedReport(fresh) == fftest::printedReport(this->Filter),
+      "another report than a new filter's");
+    for (int port = 0; port < fresh->GetNumberOfOutputPorts(); ++port)
+    {
+      demand(fftest::isIdentical(this->Filter->GetOutputDataObject(port),
+               fresh->GetOutputDataObject(port), "a new filter"),
+        "another output than a new filter's");
+    }
+  }
+
   /// The same on other threads, and for single points.
   void checkQuery()
   {
@@ -362,8 +404,6 @@ private:
     auto* const again = vtkFFQueryAlgorithm::SafeDownCast(made);
     const auto errors = fftest::ErrorObserver::Of(again);
     again->SetNumberOfThreads(filter->GetNumberOfThreads() == 1 ? 2 : 1);
-    again->SetInputDataObject(0, this->Input[0]);
-    again->SetInputDataObject(1, this->Input[1]);
     again->Update();
     vtkDataObject* const output = filter->GetOutputDataObject(0);
     demand(errors->Messages.size() == this->Errors->Messages.size(),
@@ -428,12 +468,23 @@ private:
     }
   }
 
+  /// What was changed before a run.
+  struct RunType
+  {
+    explicit RunType(const Bytes& settings)
+      : Settings(settings)
+    {
+    }
+    Bytes Settings; // where its settings begin
+    vtkSmartPointer<vtkDataObject> Input[2];
+  };
+
   int Kind;
   vtkSmartPointer<vtkAlgorithm> Filter;
   vtkSmartPointer<fftest::ErrorObserver> Errors;
   vtkNew<Aborter> Abort;
   vtkSmartPointer<vtkDataObject> Input[2];
-  std::vector<Bytes> Settings; // where each run's begin
+  std::vector<RunType> Runs;
 };
 
 void oneSession(Bytes bytes, vtkDataObject* given)

@@ -6,6 +6,8 @@ import pydoc
 import re
 import unittest
 
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+
 import vtkflipflop
 
 CLASSES = [getattr(vtkflipflop, name) for name in vtkflipflop.__all__]
@@ -48,6 +50,8 @@ class TestHelp(unittest.TestCase):
                 self.assertRegex(cls.__doc__, rf"^{cls.__name__} - \w+")
                 self.assertGreater(len(cls.__doc__), 200)
 
+    @unittest.skipUnless(text_of("GetAbortExecute", vtkAlgorithm.GetAbortExecute.__doc__),
+                         "this VTK (9.1) reads the comment of a group for its first method alone, of its own classes, too")
     def test_every_method_has_a_text(self):
         counted = 0
         for cls in CLASSES:
