@@ -12,7 +12,9 @@
 #define vtkFFErrorCode_h
 
 #include "vtkErrorCode.h"
+#include "vtkFFMarks.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 struct vtkFFErrorCode
 {
   enum ErrorIds
@@ -29,5 +31,6 @@ struct vtkFFErrorCode
     InternalError    ///< a fault of the filter: please report it
   };
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -147,14 +147,9 @@ void vtkFFStreamedWriter::ForgetReport()
 {
   this->SetErrorCode(vtkErrorCode::NoError);
   this->IsWritten = false;
-  this->NumberOfInputPoints = 0;
-  this->NumberOfNonFinitePoints = 0;
-  this->NumberOfHiddenPoints = 0;
+  this->Report = vtkFFReport();
   this->NumberOfCells = 0;
   this->NumberOfBlocks = 0;
-  this->Dimension = -1;
-  this->Volume = 0.0;
-  this->Area = 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -190,14 +185,14 @@ void vtkFFStreamedWriter::WriteData()
   }
   if (!run.Failure)
   {
-    this->NumberOfInputPoints = static_cast<vtkIdType>(report.points);
-    this->NumberOfNonFinitePoints = static_cast<vtkIdType>(report.nonFinite);
-    this->NumberOfHiddenPoints = static_cast<vtkIdType>(report.hidden);
+    this->Report.NumberOfInputPoints = static_cast<vtkIdType>(report.points);
+    this->Report.NumberOfNonFinitePoints = static_cast<vtkIdType>(report.nonFinite);
+    this->Report.NumberOfHiddenPoints = static_cast<vtkIdType>(report.hidden);
+    this->Report.Dimension = report.dimension;
+    this->Report.Volume = report.volume;
+    this->Report.Area = report.area;
     this->NumberOfCells = static_cast<vtkIdType>(report.cells);
     this->NumberOfBlocks = static_cast<vtkIdType>(report.blocks);
-    this->Dimension = report.dimension;
-    this->Volume = report.volume;
-    this->Area = report.area;
     this->IsWritten = true;
   }
   run.Finish({});
@@ -292,13 +287,5 @@ void vtkFFStreamedWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SkipGhostPoints: " << onOff(this->SkipGhostPoints) << "\n";
   os << indent << "PassPointData: " << onOff(this->PassPointData) << "\n";
   os << indent << "WorkFolder: " << nameOf(this->WorkFolder) << "\n";
-  os << indent << "NumberOfInputPoints: " << this->NumberOfInputPoints << "\n";
-  os << indent << "NumberOfNonFinitePoints: " << this->NumberOfNonFinitePoints << "\n";
-  os << indent << "NumberOfHiddenPoints: " << this->NumberOfHiddenPoints << "\n";
-  os << indent << "NumberOfCells: " << this->NumberOfCells << "\n";
-  os << indent << "NumberOfBlocks: " << this->NumberOfBlocks << "\n";
-  os << indent << "Dimension: " << this->Dimension << "\n";
-  os << indent << "Volume: " << this->Volume << "\n";
-  os << indent << "Area: " << this->Area << "\n";
 }
 VTK_ABI_NAMESPACE_END

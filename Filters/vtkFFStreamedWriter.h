@@ -5,45 +5,25 @@
  * @brief   write the triangulation or the hull of more points than memory holds
  *
  * vtkFFStreamedWriter asks its input for one piece after another, and writes the triangulation in
- * the XY plane, or the convex hull, of the points of all pieces. Neither the points nor the result
- * are ever in memory as a whole: points wait in files, and the result is written block by block.
- * All blocks together have the cells of vtkFFRegularTriangulationFilter or vtkFFHullFilter, bit for
- * bit, whatever the pieces, the blocks, the memory and the threads are.
+ * the XY plane, or the convex hull, of the points of all pieces. Points wait in files, and the
+ * result is written block by block. All blocks together have the cells of
+ * vtkFFRegularTriangulationFilter or vtkFFHullFilter, bit for bit, whatever the pieces, the blocks,
+ * the memory and the threads are.
  *
- * Input is any vtkPointSet, vtkImageData or vtkRectilinearGrid, or a composite of these, whose
- * points are taken together. Readers and sources upstream must deliver pieces
- * (CAN_HANDLE_PIECE_REQUEST, or CAN_PRODUCE_SUB_EXTENT). If none does, or the data was set
- * (SetInputData()), it is one piece.
+ * Input is any data set, or a composite, whose points are taken together. Readers and sources
+ * upstream must deliver pieces (CAN_HANDLE_PIECE_REQUEST, or CAN_PRODUCE_SUB_EXTENT). If none does,
+ * or the data was set (SetInputData()), it is one piece. Each piece must have the arrays of the
+ * first piece that has a point, and its points the type of those, unless that is double.
  *
- * The file name.vtpd is a vtkPartitionedDataSet, for vtkXMLPartitionedDataSetReader and ParaView.
- * Beside it, the folder name has a file name_k.vtp for each block k, compressed by LZ4:
- *
- * - The points are those of the block's cells. Points on the border of
- *   two blocks are in both. They have the type and the bits of the
- *   input's points.
- * - The cells are triangles or polygons (see SetFacetMode()), and where
- *   the points span less, lines or a vertex. Each is in one block.
- * - The point array vtkOriginalPointIds (a vtkIdTypeArray) has the place
- *   of each point among all that are not left out as ghosts, piece
- *   after piece. Joined by it, blocks are one surface.
- * - The input's point data is passed, unless PassPointData is off.
- *   Arrays that hold no numbers, or have no name, are left out, and a
- *   warning names them.
- *
- * Each piece must have the arrays of the first piece that has a point. Its points must have the
- * type of those, unless that is double.
+ * The file name.vtpd is a vtkPartitionedDataSet. Beside it, the folder name has a file name_k.vtp
+ * for each block k: the block's cells, each in one block, and their points, with point data of
+ * numbers. The point array vtkOriginalPointIds (a vtkIdTypeArray) has the place of each point among
+ * all that are not left out as ghosts, piece after piece.
  *
  * Each file is whole or absent, and name.vtpd comes last. After an error or an abort, Write() goes
- * on where the last one ended: it takes each piece again and compares it with what is stored. If
- * anything is another than before, it begins again. So does a Write() after one that succeeded.
- *
- * An error is one message, and GetErrorCode() is one of vtkFFErrorCode, or of vtkErrorCode for a
- * file: NoFileNameError, CannotOpenFileError, OutOfDiskSpaceError. An error in a piece names it.
- * Write() then returns 0, as after an abort.
- *
- * One process writes. ParaView does not offer the writer on a server of several ranks.
- *
- * Power diagrams, alpha complexes and terrain meshes are not streamed, nor planes other than XY.
+ * on where the last one ended, unless anything is another than before. GetErrorCode() is one of
+ * vtkFFErrorCode, or of vtkErrorCode for a file: NoFileNameError, CannotOpenFileError,
+ * OutOfDiskSpaceError. One process writes.
  *
  * @sa
  * vtkFFRegularTriangulationFilter vtkFFHullFilter vtkXMLPartitionedDataSetReader
@@ -52,7 +32,8 @@
 #ifndef vtkFFStreamedWriter_h
 #define vtkFFStreamedWriter_h
 
-#include "vtkFFMarks.h"               // For VTK_MARSHALAUTO
+#include "vtkFFMarks.h"
+#include "vtkFFReport.h"              // For VTK_MARSHALAUTO
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 #include "vtkWriter.h"
 
@@ -114,6 +95,8 @@ public:
    */
   vtkSetClampMacro(Shape, int, TRIANGULATION, HULL);
   vtkGetMacro(Shape, int);
+  void SetShapeToTriangulation() { this->SetShape(TRIANGULATION); }
+  void SetShapeToHull() { this->SetShape(HULL); }
   ///@}
 
   ///@{
@@ -123,6 +106,8 @@ public:
    */
   vtkSetClampMacro(WeightMode, int, 0, 1);
   vtkGetMacro(WeightMode, int);
+  void SetWeightModeToWeights() { this->SetWeightMode(0); }
+  void SetWeightModeToRadii() { this->SetWeightMode(1); }
   vtkSetMacro(WeightFactor, double);
   vtkGetMacro(WeightFactor, double);
   ///@}
@@ -144,6 +129,8 @@ public:
    */
   vtkSetClampMacro(FacetMode, int, 0, 1);
   vtkGetMacro(FacetMode, int);
+  void SetFacetModeToTriangles() { this->SetFacetMode(0); }
+  void SetFacetModeToPolygons() { this->SetFacetMode(1); }
   ///@}
 
   ///@{
@@ -190,6 +177,8 @@ public:
    */
   vtkSetClampMacro(NonFinitePoints, int, 0, 1);
   vtkGetMacro(NonFinitePoints, int);
+  void SetNonFinitePointsToError() { this->SetNonFinitePoints(0); }
+  void SetNonFinitePointsToIgnore() { this->SetNonFinitePoints(1); }
   ///@}
 
   ///@{
@@ -199,6 +188,7 @@ public:
    */
   vtkSetMacro(SkipGhostPoints, bool);
   vtkGetMacro(SkipGhostPoints, bool);
+  vtkBooleanMacro(SkipGhostPoints, bool);
   ///@}
 
   ///@{
@@ -207,6 +197,7 @@ public:
    */
   vtkSetMacro(PassPointData, bool);
   vtkGetMacro(PassPointData, bool);
+  vtkBooleanMacro(PassPointData, bool);
   ///@}
 
   ///@{
@@ -227,14 +218,14 @@ public:
    * the points span; volume and area of a hull. Before a Write(), and after an error: 0, and -1 for
    * the dimension.
    */
-  vtkGetMacro(NumberOfInputPoints, vtkIdType);
-  vtkGetMacro(NumberOfNonFinitePoints, vtkIdType);
-  vtkGetMacro(NumberOfHiddenPoints, vtkIdType);
+  vtkIdType GetNumberOfInputPoints() { return this->Report.NumberOfInputPoints; }
+  vtkIdType GetNumberOfNonFinitePoints() { return this->Report.NumberOfNonFinitePoints; }
+  vtkIdType GetNumberOfHiddenPoints() { return this->Report.NumberOfHiddenPoints; }
   vtkGetMacro(NumberOfCells, vtkIdType);
   vtkGetMacro(NumberOfBlocks, vtkIdType);
-  vtkGetMacro(Dimension, int);
-  vtkGetMacro(Volume, double);
-  vtkGetMacro(Area, double);
+  int GetDimension() { return this->Report.Dimension; }
+  double GetVolume() { return this->Report.Volume; }
+  double GetArea() { return this->Report.Area; }
   ///@}
 
   /**
@@ -276,14 +267,9 @@ private:
   void WarnOfLeftOut(const std::vector<std::string>& names);
   flipflop::StreamReport WriteFiles(FFStreamedInput& input, FFRun& run);
 
-  vtkIdType NumberOfInputPoints = 0;
-  vtkIdType NumberOfNonFinitePoints = 0;
-  vtkIdType NumberOfHiddenPoints = 0;
+  vtkFFReport Report;
   vtkIdType NumberOfCells = 0;
   vtkIdType NumberOfBlocks = 0;
-  int Dimension = -1;
-  double Volume = 0.0;
-  double Area = 0.0;
   bool IsTried = false;   ///< whether the executive came to RequestData()
   bool IsWritten = false; ///< by the last one
 };
