@@ -40,7 +40,13 @@ vtkIdTypeArray* idsOf(vtkPolyData* hull)
 
 //------------------------------------------------------------------------------
 FFHullResult::FFHullResult()
-  : Data(vtkSmartPointer<vtkPolyData>::New())
+  : FFHullResult(vtkSmartPointer<vtkPolyData>::New())
+{
+}
+
+//------------------------------------------------------------------------------
+FFHullResult::FFHullResult(vtkPolyData* data)
+  : Data(data)
 {
 }
 

@@ -25,6 +25,7 @@ class vtkPolyData;
 struct FFHullResult
 {
   FFHullResult();
+  explicit FFHullResult(vtkPolyData* data); ///< which it becomes
 
   vtkSmartPointer<vtkPolyData> Data; ///< points, true facets, point data and ids
   flipflop::Hull Hull;               ///< dimension and measures; statistics of all work so far

@@ -266,13 +266,11 @@ void FFRun::AddToReport(const flipflop::CellComplex& cells, vtkDataObject* outpu
 {
   const flipflop::Statistics& statistics = cells.statistics;
   const bool isCuda = this->EngineReport.used == flipflop::EngineChoice::CUDA;
-  vtkFFReport report;
-  report.Dimension = cells.dimension;
-  report.NumberOfInputPoints = static_cast<vtkIdType>(statistics.points);
-  report.NumberOfNonFinitePoints = static_cast<vtkIdType>(statistics.nonFinite);
-  report.EngineUsed = isCuda ? vtkFFAlgorithm::ENGINE_CUDA : vtkFFAlgorithm::ENGINE_CPU;
-  report.EngineReason = this->EngineReport.reason;
-  this->Report.Add(report);
+  this->Report.Dimension = cells.dimension;
+  this->Report.NumberOfInputPoints = static_cast<vtkIdType>(statistics.points);
+  this->Report.NumberOfNonFinitePoints = static_cast<vtkIdType>(statistics.nonFinite);
+  this->Report.EngineUsed = isCuda ? vtkFFAlgorithm::ENGINE_CUDA : vtkFFAlgorithm::ENGINE_CPU;
+  this->Report.EngineReason = this->EngineReport.reason;
   if (!this->ReportsAsFieldData)
   {
     return;

@@ -154,7 +154,7 @@ public:
   void NameFailure(const std::string& words);
 
   /**
-   * Add a result to the report; and to the output's field data, if that was asked for.
+   * Report a result; and add it to the output's field data, if that was asked for.
    */
   void AddToReport(const flipflop::CellComplex& cells, vtkDataObject* output);
   bool ReportsAsFieldData = false;

@@ -126,6 +126,13 @@ const char* vtkFFAlgorithm::GetEngineUsedAsString()
 }
 
 //------------------------------------------------------------------------------
+const char* vtkFFAlgorithm::GetEngineReason()
+{
+  const std::string& reason = this->Report.EngineReason;
+  return reason.empty() ? "no engine has run" : reason.c_str();
+}
+
+//------------------------------------------------------------------------------
 void vtkFFAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -140,7 +140,7 @@ public:
    */
   int GetEngineUsed() { return this->Report.EngineUsed; }
   const char* GetEngineUsedAsString();
-  const char* GetEngineReason() { return this->Report.EngineReason.c_str(); }
+  const char* GetEngineReason();
   ///@}
 
   ///@{

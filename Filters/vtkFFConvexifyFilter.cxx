@@ -89,8 +89,7 @@ void vtkFFConvexifyFilter::Execute(vtkDataObject* data, vtkInformationVector**,
   FFInput input;
   input.Take(FFBlocks::PiecesOf(surface), false, run);
   const FFSurfaceCells cells(surface, input.GetView(), run.Options);
-  FFHullResult hull;
-  hull.Data = vtkPolyData::SafeDownCast(results[0]);
+  FFHullResult hull(vtkPolyData::SafeDownCast(results[0]));
   hull.Engine = run.EngineReport;
   if (cells.GetView().count > 0)
   {

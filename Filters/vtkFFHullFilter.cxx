@@ -72,8 +72,7 @@ void vtkFFHullFilter::Execute(vtkDataObject* data, vtkInformationVector**,
 {
   FFInput points;
   points.Take(FFBlocks::PiecesOf(data), this->SkipGhostPoints, run);
-  FFHullResult hull;
-  hull.Data = vtkPolyData::SafeDownCast(results[0]);
+  FFHullResult hull(vtkPolyData::SafeDownCast(results[0]));
   hull.Take(points, this->PassPointData, run);
   this->WriteHull(hull, hull.Data, run);
 }

@@ -20,7 +20,7 @@ VTK_ABI_NAMESPACE_BEGIN
 struct vtkFFReport
 {
   int EngineUsed = -1; ///< vtkFFAlgorithm::EngineType
-  std::string EngineReason = "no engine has run";
+  std::string EngineReason; ///< empty: none has run
   int Dimension = -1;
   vtkIdType NumberOfInputPoints = 0;
   vtkIdType NumberOfNonFinitePoints = 0;
