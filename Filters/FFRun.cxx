@@ -21,6 +21,19 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+
+bool isSerial()
+{
+  return vtkSMPTools::GetBackend() == std::string("Sequential");
+}
+
+/// This VTK has no threads, as in Debian's ParaView; nobody chose that since the library was loaded.
+const bool startedSerial = isSerial();
+
+}
+
 //------------------------------------------------------------------------------
 FFRun::FFRun(vtkAlgorithm* filter, const char* title, int threads, Publisher publish)
   : Filter(filter)
@@ -99,8 +112,9 @@ FFRun::FFRun(FFRun& whole, std::size_t dataSet, std::size_t count, bool isSilent
 void FFRun::Begin(int threads)
 {
   // As vtkFFAlgorithm::SetNumberOfThreads() says; the engine takes 0 for all of the machine's.
+  const bool hasNone = startedSerial && isSerial();
   this->Options.threads = threads > 0 ? threads
-    : threads < 0                     ? 0
+    : threads < 0 || hasNone          ? 0
                                       : vtkSMPTools::GetEstimatedNumberOfThreads();
   this->Options.progress = &FFRun::ForwardProgress;
   this->Options.progressContext = this;
