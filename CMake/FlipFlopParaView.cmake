@@ -9,8 +9,15 @@ include(FlipFlopParaViewQt)
 include(FlipFlopPluginHelp)
 
 include(FlipFlopModule)
+set(files "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin")
+find_package(Qt${FLIPFLOP_QT} 5.12 QUIET COMPONENTS Core)
+if(PARAVIEW_USE_QT AND Qt${FLIPFLOP_QT}_FOUND)
+  list(APPEND files "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/Icons/paraview.plugin")
+else()
+  message(STATUS "No plugin FlipFlopIcons: without ParaView's window or the development files of its Qt")
+endif()
 paraview_plugin_scan(
-  PLUGIN_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin"
+  PLUGIN_FILES ${files}
   PROVIDES_PLUGINS plugins
   ENABLE_BY_DEFAULT ON
   HIDE_PLUGINS_FROM_CACHE ON)
@@ -25,7 +32,6 @@ paraview_plugin_build(
 set(FLIPFLOP_LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/FlipFlop")
 set(FLIPFLOP_PLUGIN_PATH "${CMAKE_BINARY_DIR}/${FLIPFLOP_LIBRARY_DESTINATION}"
   CACHE INTERNAL "The folder that holds the plugin in the build tree")
-include(FlipFlopPluginCancel)
 
 if(FLIPFLOP_WRAP_PYTHON)
   add_subdirectory(Wrapping)

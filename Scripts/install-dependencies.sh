@@ -18,11 +18,11 @@ fuzzers=(clang libclang-rt-dev)
 libcxx=(clang libc++-dev libc++abi-dev)
 # The tests' GoogleTest is built for Windows from its source.
 mingw=(cmake ninja-build g++-mingw-w64-x86-64-posix libboost-dev libeigen3-dev googletest wine wine64)
-# What ParaView's VTK asks for when CMake looks for it, MPI, the GUI's icons; for FlipFlopCancel ParaView's Qt and
-# XCB; what makes help pages; PyQt and a pointer for the GUI's tests, and what its window of traces asks for.
+# What ParaView's VTK asks for when CMake looks for it, MPI, the GUI's icons and, for those of the plugin, its Qt; what
+# makes help pages; PyQt for the GUI's tests, and what its window of traces asks for.
 plugin=(libpython3-dev python3-numpy libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
   libdouble-conversion-dev libexpat1-dev liblz4-dev liblzma-dev libutfcpp-dev zlib1g-dev
-  mpi-default-bin mpi-default-dev libxcb1-dev python3-pygments xdotool xvfb)
+  mpi-default-bin mpi-default-dev python3-pygments xvfb)
 # Nothing is found, and find fails, where there is no ParaView.
 config=$(find "$paraview"/lib* -maxdepth 4 -name paraview-config.cmake 2>/dev/null | head -n 1 || true)
 if grep -qs 'PARAVIEW_QT_MAJOR_VERSION "6"' "$config"; then

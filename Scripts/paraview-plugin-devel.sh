@@ -28,8 +28,8 @@ fi
 paraview=/builds/gitlab-kitware-sciviz-ci/build/install
 [ -d "$paraview" ] || ln -s /paraview/gitlab-kitware-sciviz-ci /builds/gitlab-kitware-sciviz-ci
 
-# On std::thread: the plugin shall load no oneTBB beside ParaView's own. FlipFlopCancel needs development files of Qt and
-# XCB that an image need not have.
+# On std::thread: the plugin shall load no oneTBB beside ParaView's own. FlipFlopIcons needs development files of Qt that
+# an image need not have.
 scl enable "$toolset" -- cmake -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_LIBDIR=lib \
   -DFLIPFLOP_BUILD_PLUGIN=ON -DFLIPFLOP_THREADS_BACKEND=STD -DFLIPFLOP_WRAP_PYTHON=OFF \
   -DBUILD_TESTING=OFF -DCMAKE_PREFIX_PATH="$paraview;$top/build/headers"

@@ -12,7 +12,7 @@ from paraview import servermanager, simple
 
 from pipelines import run as updated
 
-ICONS = os.path.join(os.environ["FLIPFLOP_SOURCE"], "Plugin", "Cancel", "Icons")
+ICONS = os.path.join(os.environ["FLIPFLOP_SOURCE"], "Plugin", "Icons")
 PLUGIN = os.path.join(os.environ["PV_PLUGIN_PATH"], "FlipFlop.so")
 LABELS = {
     "FlipFlopConvexHull": "Convex Hull (Flip-Flop)",

@@ -1,9 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
 """
-A long run: the progress bar follows it and names its steps, and it stops soon after it is asked to.
-
-Asked by the filter's own AbortExecute, between two progress events; TestCancel presses the button.
+A long run: the progress bar follows it and names its steps, and it stops soon after it is asked to, by the filter's own
+AbortExecute, between two progress events.
 """
 import time
 
