@@ -14,20 +14,25 @@ def updated(kind, points, **properties):
     source = simple.TrivialProducer()
     source.GetClientSideObject().SetOutput(points)
     source.UpdatePipeline()
-    proxy = kind(Input=source, **properties)
+    proxy = kind(Input=source, ReportAsFieldData=1, **properties)
     start = time.perf_counter()
     proxy.UpdatePipeline()
     seconds = time.perf_counter() - start
     if proxy.GetClientSideObject().GetErrorCode() != 0:
         raise SystemExit(f"{proxy.GetXMLLabel()} failed")
-    proxy.UpdatePropertyInformation()
     return proxy, seconds
+
+
+def reported(output, figure):
+    """A figure of the run, which is field data of its output."""
+    return output.GetFieldData().GetAbstractArray(f"FlipFlop{figure}").GetValue(0)
 
 
 def hull(points):
     """The hull, its volume, the engine's name, and the seconds that took."""
     proxy, seconds = updated(simple.ConvexHullFlipFlop, points, FacetMode="Polygons")
-    return servermanager.Fetch(proxy), proxy.Volume, proxy.EngineUsed, seconds
+    output = servermanager.Fetch(proxy)
+    return output, reported(output, "Volume"), reported(output, "Engine"), seconds
 
 
 def triangulation(points, weights=None, bounds=None):
@@ -35,13 +40,13 @@ def triangulation(points, weights=None, bounds=None):
     properties = {}
     if weights:
         properties.update(Weights=["POINTS", weights])
-    proxy, seconds = updated(simple.RegularWeightedDelaunayTriangulationFlipFlop, points, **properties)
+    proxy, seconds = updated(simple.Delaunay2DFlipFlop, points, **properties)
     outputs = [servermanager.Fetch(proxy, idx=port) for port in range(2)]
     if bounds:
         low_x, high_x, low_y, high_y = bounds
         properties.update(PowerDiagramBoxMode="Bounds Given", PowerDiagramCorner=[low_x, low_y, 0])
         properties.update(PowerDiagramLengths=[high_x - low_x, high_y - low_y, 0])
-        diagram, more = updated(simple.VoronoiPowerDiagramFlipFlop, points, **properties)
+        diagram, more = updated(simple.Voronoi2DFlipFlop, points, **properties)
         outputs.append(servermanager.Fetch(diagram))
         seconds += more
-    return outputs, proxy.EngineUsed, seconds
+    return outputs, reported(outputs[0], "Engine"), seconds

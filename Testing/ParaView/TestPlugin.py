@@ -8,153 +8,76 @@ import subprocess
 import tempfile
 import unittest
 
+import vtkflipflop
 from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import VTK_INT_MAX
 
-from pipelines import run as updated
+from pipelines import report, run
 
 ICONS = os.path.join(os.environ["FLIPFLOP_SOURCE"], "Plugin", "Icons")
 PLUGIN = os.path.join(os.environ["PV_PLUGIN_PATH"], "FlipFlop.so")
 LABELS = {
     "FlipFlopConvexHull": "Convex Hull (Flip-Flop)",
     "FlipFlopConvexify": "Convexify (Flip-Flop)",
-    "FlipFlopDelaunay": "Delaunay Triangulation 2D (Flip-Flop)",
-    "FlipFlopPowerDiagram": "Voronoi / Power Diagram (Flip-Flop)",
-    "FlipFlopRegularTriangulation": "Regular (Weighted Delaunay) Triangulation (Flip-Flop)",
-    "FlipFlopSelectEnclosedPoints": "Select Points in Convex Hull (Flip-Flop)",
-    "FlipFlopPointInterpolator2D": "Point Interpolator 2D, Delaunay (Flip-Flop)",
+    "FlipFlopDelaunay": "Delaunay 2D (Flip-Flop)",
+    "FlipFlopPowerDiagram": "Voronoi 2D (Flip-Flop)",
+    "FlipFlopSelectEnclosedPoints": "Select Inside Hull (Flip-Flop)",
+    "FlipFlopPointInterpolator2D": "Interpolator 2D (Flip-Flop)",
     "FlipFlopPointsToImage": "Points To Image (Flip-Flop)",
     "FlipFlopTerrainMesh": "Terrain Mesh (Flip-Flop)",
 }
+PROXIES = {**dict.fromkeys(LABELS, "filters"), "FlipFlopStreamedWriter": "writers"}
 # What somebody may search for, and a filter whose short help has it. ParaView 5.11 searches labels alone.
 SEARCHED = {
     "raster": "FlipFlopPointsToImage",
     "natural": "FlipFlopPointInterpolator2D",
     "lidar": "FlipFlopTerrainMesh",
-    "weights": "FlipFlopRegularTriangulation",
+    "power diagram": "FlipFlopPowerDiagram",
+    "enclosed": "FlipFlopSelectEnclosedPoints",
+    **dict.fromkeys(["regular", "weighted delaunay", "weights", "alpha shape", "breaklines"], "FlipFlopDelaunay"),
 }
 # The second input of those that answer questions at the points of the first.
 SECOND = {"FlipFlopSelectEnclosedPoints": "Surface", "FlipFlopPointInterpolator2D": "Source"}
-COMMON = {
-    "PassPointData": 1,
-    "VisiblePointIds": 0,
-    "ReportAsFieldData": 1,
-    "NumberOfThreads": -1,
-    "VBiased": 1,
-}
-FACETS = {"FacetMode": "Triangles"}
-ENGINES = {
-    "NonFinitePoints": "Report an Error",
-    "SkipGhostPoints": 1,
-    "Engine": "Automatic",
-    "CUDAThreshold": 2**31 - 1,
-}
-QUERIES = {"NonFinitePoints": "Report an Error", "SkipGhostPoints": 1, "NumberOfThreads": -1}
-WEIGHTS = {"Weights": ["POINTS", "None"], "WeightMode": "Weights", "WeightFactor": 1.0}
-ALPHA = {"Alpha": 0.0, "AlphaLines": 0, "AlphaVerts": 0, "GenerateAlphas": 0}
-PLANE = {"ProjectionPlaneMode": "XY Plane"}
-# The box is that of the sphere.
-LOW_X, HIGH_X, LOW_Y, HIGH_Y, LOW_Z, HIGH_Z = updated(simple.Sphere()).GetDataInformation().GetBounds()
-BOX = {
-    "PowerDiagramBoxMode": "Bounds of the Points",
-    "PowerDiagramCorner": [LOW_X, LOW_Y, LOW_Z],
-    "PowerDiagramLengths": [HIGH_X - LOW_X, HIGH_Y - LOW_Y, HIGH_Z - LOW_Z],
-    "GenerateCellMeasures": 0,
-}
-DEFAULTS = {
-    "FlipFlopConvexHull": {
-        **COMMON,
-        **FACETS,
-        **ENGINES,
-        "CompositeMode": "Hull of Each Block",
-        "GenerateCertificate": 0,
-        "NumberOfStreamDivisions": 1,
-        "ResultMode": "Automatic",
-    },
-    "FlipFlopDelaunay": {
-        **COMMON,
-        **FACETS,
-        **ENGINES,
-        **PLANE,
-        "GenerateCellMeasures": 0,
-        "GenerateGhostCells": 0,
-        "MaximumEdgeLength": 0.0,
-        "PolygonRule": "Even-Odd",
-        "ClosedLinesAsBorders": 0,
-        "SourcePoints": "Automatic",
-        "SplitCrossingConstraints": 0,
-    },
-    "FlipFlopPowerDiagram": {**COMMON, **ENGINES, **WEIGHTS, **PLANE, **BOX},
-    "FlipFlopConvexify": {**COMMON, **FACETS, "UseKernelPoint": 0, "KernelPoint": [0.0, 0.0, 0.0]},
-    "FlipFlopRegularTriangulation": {
-        **COMMON,
-        **FACETS,
-        **ENGINES,
-        **WEIGHTS,
-        **PLANE,
-        **ALPHA,
-        "GenerateBoundary": 0,
-        "GenerateCellMeasures": 0,
-        "GenerateCertificate": 0,
-        "MaximumEdgeLength": 0.0,
-        "GenerateGhostCells": 0,
-    },
-    "FlipFlopSelectEnclosedPoints": {
-        **QUERIES,
-        "SelectPointsOnSurface": 1,
-        "InsideOut": 0,
-        "GenerateDistances": 0,
-    },
-    "FlipFlopPointInterpolator2D": {
-        **QUERIES,
-        **WEIGHTS,
-        "InterpolationMode": "Linear",
-        "NullPointsStrategy": "Mask Points",
-        "NullValue": 0.0,
-        "InterpolateZ": 1,
-        "PassPointArrays": 1,
-        "PassCellArrays": 1,
-        "PassFieldArrays": 1,
-    },
-    "FlipFlopPointsToImage": {
-        **{name: value for name, value in COMMON.items() if name != "VisiblePointIds"},
-        **ENGINES,
-        **WEIGHTS,
-        **PLANE,
-        "SizeMode": "Dimensions",
-        "Dimensions": [256, 256],
-        "Spacing": [1.0, 1.0],
-        "UseInputBounds": 1,
-        "SamplingBounds": [0.0, 1.0, 0.0, 1.0],
-        "InterpolationMode": "Linear",
-        "NullPointsStrategy": "Mask Points",
-        "InterpolateZ": 1,
-    },
-    "FlipFlopTerrainMesh": {
-        **COMMON,
-        **ENGINES,
-        "Tolerance": -1.0,
-        "MaximumNumberOfVertices": 0,
-        "Heights": ["POINTS", "None"],
-        "SourcePoints": "Automatic",
-    },
-}
 PORTS = {
     "FlipFlopConvexHull": ["Hull"],
     "FlipFlopConvexify": ["Hull"],
-    "FlipFlopDelaunay": ["Triangulation", "Fixed Edges"],
+    "FlipFlopDelaunay": ["Triangulation", "Hidden Points", "Border", "Fixed Edges"],
     "FlipFlopPowerDiagram": ["Power Diagram"],
-    "FlipFlopRegularTriangulation": ["Triangulation", "Hidden Points", "Border"],
     "FlipFlopSelectEnclosedPoints": ["Points"],
     "FlipFlopPointInterpolator2D": ["Points"],
     "FlipFlopPointsToImage": ["Image"],
     "FlipFlopTerrainMesh": ["Mesh", "Other Points"],
 }
-FOUND = ["Dimension", "EngineUsed", "EngineReason", "NumberOfInputPoints", "NumberOfNonFinitePoints"]
+# Properties that the classes have no Get for: arrays, and the box, which has the bounds of the points.
+WITHOUT_GET = {"Weights", "Heights", "PowerDiagramCorner", "PowerDiagramLengths"}
+# Those of either engine.
+ENGINES = {"FlipFlopConvexHull", "FlipFlopDelaunay", "FlipFlopPowerDiagram", "FlipFlopPointsToImage"}
+MOST_BASIC = 10  # properties that a panel shows, whatever is set and without its gear
 
 
 def function(name):
     """What makes a filter in Python: ParaView names it for the label."""
     return getattr(simple, re.sub("[^A-Za-z0-9]", "", LABELS[name]))
+
+
+def prototype(name):
+    """The proxy of a name as its XML has it."""
+    return servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy(PROXIES[name], name)
+
+
+def properties(proxy):
+    """The properties of a proxy by their names."""
+    found, iterator = {}, proxy.NewPropertyIterator()
+    iterator.Begin()
+    while not iterator.IsAtEnd():
+        found[iterator.GetKey()] = iterator.GetProperty()
+        iterator.Next()
+    return found
+
+
+def settings_of(proxy):
+    """Those that are neither inputs nor proxies."""
+    return {key: prop for key, prop in properties(proxy).items() if not prop.IsA("vtkSMProxyProperty")}
 
 
 def definition(name):
@@ -225,13 +148,13 @@ for group, module in (("filters", simple), ("writers", simple.servermanager.writ
             getattr(module, "".join(filter(str.isalnum, label)))()
             print(names.GetProxyName(), flush=True)
         names.GoToNextItem()
-late = simple.PointInterpolator2DDelaunayFlipFlop(Input=simple.Sphere())
+late = simple.Interpolator2DFlipFlop(Input=simple.Sphere())
 late.Source = simple.Sphere()
 late.UpdatePipeline()
 print(late.PointData["vtkValidPointMask"].GetRange(), late.Weights)
 """
         lines = self.run_with(make, complains=True, PV_PLUGIN_PATH=os.environ["PV_PLUGIN_PATH"])
-        self.assertEqual(set(lines[1:-3]), {*LABELS, "FlipFlopStreamedWriter"})
+        self.assertEqual(set(lines[1:-3]), set(PROXIES))
         self.assertEqual(lines[-3], "(1.0, 1.0) ['POINTS', 'None']")
 
     def test_installed(self):
@@ -264,26 +187,56 @@ for line in open("/proc/self/maps"):
 
 
 class TestProxies(unittest.TestCase):
-    def source(self, name):
-        second = {SECOND[name]: simple.Sphere(Radius=2)} if name in SECOND else {}
-        return function(name)(Input=updated(simple.Sphere()), **second)
+    def source(self, name, **settings):
+        if name in SECOND:
+            settings[SECOND[name]] = simple.Sphere(Radius=2)
+        return function(name)(Input=run(simple.Sphere()), **settings)
 
     def test_defaults(self):
-        for name, defaults in DEFAULTS.items():
-            proxy = self.source(name)
-            for key, value in defaults.items():
-                got = proxy.GetPropertyValue(key)
-                got = list(got) if isinstance(value, list) else got
-                self.assertEqual(got, value, f"{name}.{key}")
-                self.assertEqual(getattr(proxy, key), proxy.GetPropertyValue(key))
-            settings = {
-                key
-                for key in proxy.ListProperties()
-                if not proxy.GetProperty(key).SMProperty.GetInformationOnly()
+        """They are the classes' own."""
+        for name in PROXIES:
+            proxy = prototype(name)
+            plain = getattr(vtkflipflop, proxy.GetVTKClassName())()
+            for key, prop in settings_of(proxy).items():
+                if key in WITHOUT_GET:
+                    continue
+                own = getattr(plain, re.sub("^(Set|Store)", "Get", prop.GetCommand()))()
+                own = list(own) if isinstance(own, tuple) else [own]
+                found = [prop.GetElement(i) for i in range(prop.GetNumberOfElements())]
+                if prop.IsA("vtkSMStringVectorProperty"):
+                    own, found = ([text or "" for text in texts] for texts in (own, found))
+                if key == "CUDAThreshold":
+                    own = [min(own[0], VTK_INT_MAX)]  # all above mean the same, and ParaView reads no greater default
+                self.assertEqual(found, own, f"{name}.{key}")
+        self.assertEqual(self.source("FlipFlopDelaunay").Transform.GetXMLName(), "Transform3")
+
+    def test_panels(self):
+        """What they show at first is little, and all of it settings."""
+        for name in PROXIES:
+            proxy = prototype(name)
+            groups = [proxy.GetPropertyGroup(i) for i in range(proxy.GetNumberOfPropertyGroups())]
+            conditional = {
+                group.GetPropertyName(i)
+                for group in groups
+                if group.GetHints()
+                for i in range(group.GetNumberOfProperties())
             }
-            self.assertEqual(settings - {"Input", "Transform", "Source", *SECOND.values()}, set(defaults))
-        transform = self.source("FlipFlopRegularTriangulation").Transform
-        self.assertEqual(transform.GetXMLName(), "Transform3")
+            basic = []
+            for key, prop in settings_of(proxy).items():
+                self.assertFalse(prop.GetInformationOnly(), key)
+                self.assertFalse(prop.IsA("vtkSMIdTypeVectorProperty"), f"ParaView 5.11 does not show {key}")
+                hints = prop.GetHints()
+                decorated = hints and hints.FindNestedElementByName("PropertyWidgetDecorator")
+                if prop.GetPanelVisibility() == "default" and not decorated and key not in conditional:
+                    basic.append(key)
+            self.assertLessEqual(len(basic), MOST_BASIC, f"{name} shows {basic}")
+            for key in ("Engine", "CUDAThreshold"):
+                self.assertEqual(proxy.GetProperty(key) is not None, name in ENGINES, name)
+
+    def test_original_ids(self):
+        hull = self.source("FlipFlopConvexHull", GenerateOriginalIds=1)
+        self.assertEqual(report(hull).GetVisiblePointIds(), True)
+        self.assertIn("OriginalPointIds", run(hull).PointData.keys())
 
     def test_ports(self):
         for name, ports in PORTS.items():
@@ -292,29 +245,19 @@ class TestProxies(unittest.TestCase):
             self.assertEqual([proxy.GetOutputPortName(i) for i in range(len(ports))], ports)
 
     def test_answers(self):
-        proxy = self.source("FlipFlopSelectEnclosedPoints")
-        proxy.GenerateDistances = 1
-        proxy.UpdatePipeline()
+        proxy = run(self.source("FlipFlopSelectEnclosedPoints", GenerateDistances=1))
         self.assertEqual(proxy.PointData["SelectedPoints"].GetRange(), (1, 1))
         self.assertEqual(proxy.PointData["FlipFlopSide"].GetRange(), (1, 1))
         self.assertLess(proxy.PointData["FlipFlopDistance"].GetRange()[1], -1.0)
-        proxy = self.source("FlipFlopPointInterpolator2D")
-        proxy.UpdatePipeline()
+        proxy = run(self.source("FlipFlopPointInterpolator2D"))
         self.assertEqual(proxy.PointData["vtkValidPointMask"].GetRange(), (1, 1))
         self.assertIn("Elevation", proxy.PointData.keys())
 
-    def test_what_a_run_found(self):
+    def test_report(self):
         for name in LABELS.keys() - SECOND.keys():
-            proxy = self.source(name)
-            proxy.UpdatePipeline()
-            proxy.UpdatePropertyInformation()
-            for key in FOUND:
-                self.assertTrue(proxy.GetProperty(key).SMProperty.GetInformationOnly(), key)
-            self.assertEqual(proxy.NumberOfInputPoints, 50, name)
-            self.assertEqual(proxy.EngineUsed, "CPU")
-            self.assertNotEqual(proxy.EngineReason, "")
-            self.assertGreaterEqual(proxy.FieldData["FlipFlopThreads"].GetRange()[0], 1)
-            self.assertGreater(proxy.FieldData["FlipFlopSecondsTotal"].GetRange()[0], 0.0)
+            found = run(self.source(name, ReportAsFieldData=1)).FieldData
+            self.assertGreaterEqual(found["FlipFlopThreads"].GetRange()[0], 1, name)
+            self.assertGreater(found["FlipFlopSecondsTotal"].GetRange()[0], 0.0)
 
     def test_texts(self):
         with open(os.path.join(os.environ["FLIPFLOP_SOURCE"], "Documentation", "ParaView.md")) as file:
@@ -331,22 +274,18 @@ class TestProxies(unittest.TestCase):
             self.assertIn("(Flip-Flop)", label)
             self.assertIn("error", documentation.GetDescription())
             self.assertIn(label, page)
-            iterator = proxy.NewPropertyIterator()
-            iterator.Begin()
-            count = 0
-            while not iterator.IsAtEnd():
-                text = iterator.GetProperty().GetDocumentation()
-                self.assertTrue(text and text.GetDescription().strip(), iterator.GetKey())
-                count += 1
-                iterator.Next()
-            self.assertGreater(count, 6 if name in SECOND else 12)
+            for key, prop in properties(proxy).items():
+                text = prop.GetDocumentation()
+                self.assertTrue(text and text.GetDescription().strip(), key)
 
     def test_menu(self):
+        with open(os.path.join(ICONS, "FlipFlopIcons.qrc")) as file:
+            icons = file.read()
         for name in LABELS:
             menu = definition(name).FindNestedElementByName("Hints").FindNestedElementByName("ShowInMenu")
             self.assertEqual(menu.GetAttribute("category"), "Flip-Flop")
             self.assertEqual(menu.GetAttribute("icon"), f":/FlipFlop/{name}.svg")
-            self.assertTrue(os.path.exists(os.path.join(ICONS, f"{name}.svg")))
+            self.assertIn(f"<file>{name}.svg</file>", icons)
 
 
 if __name__ == "__main__":

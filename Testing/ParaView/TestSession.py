@@ -11,7 +11,7 @@ import unittest
 import numpy as np
 from paraview import simple, smstate
 
-from pipelines import IDS, array, bits, cells_by_ids, cloud, coordinates, fetch, real, run
+from pipelines import IDS, array, bits, cells_by_ids, cloud, coordinates, fetch, real, report, run
 
 # Points at random that move with the time step, on the sphere of radius 1 + time.
 INFORMATION = """
@@ -48,18 +48,17 @@ class TestTime(unittest.TestCase):
         source.UpdatePipelineInformation()
         self.assertEqual(list(source.TimestepValues), [0.0, 1.0, 2.0])
         hull = simple.ConvexHullFlipFlop(Input=source)
-        triangulation = simple.RegularWeightedDelaunayTriangulationFlipFlop(Input=source)
+        triangulation = simple.Delaunay2DFlipFlop(Input=source)
         volumes = []
         for time in (0.0, 2.0, 1.0, 2.0):
             for proxy, alone in (
                 (hull, simple.ConvexHullFlipFlop(Input=cloud(points_at(time)))),
-                (triangulation, simple.RegularWeightedDelaunayTriangulationFlipFlop(Input=cloud(points_at(time)))),
+                (triangulation, simple.Delaunay2DFlipFlop(Input=cloud(points_at(time)))),
             ):
                 proxy.UpdatePipeline(time)
                 run(alone)
                 self.assertEqual(bits(fetch(proxy)), bits(fetch(alone)), time)
-            hull.UpdatePropertyInformation()
-            volumes.append(hull.Volume)
+            volumes.append(report(hull).GetVolume())
         self.assertEqual(volumes[1], volumes[3])
         self.assertEqual(len(set(volumes)), 3)
         self.assertTrue(0.9 < volumes[1] / 27 / volumes[0] < 1.1)
@@ -75,7 +74,7 @@ class TestSelection(unittest.TestCase):
         xyz = coordinates(fetch(source))
         chosen = xyz[array(fetch(source).GetPointData(), "Elevation") > 1500]
         self.assertTrue(100 < len(chosen) < len(xyz) / 2)
-        self.assertEqual(hull.NumberOfInputPoints, len(chosen))
+        self.assertEqual(report(hull).GetNumberOfInputPoints(), len(chosen))
         alone = run(simple.ConvexHullFlipFlop(Input=cloud(chosen)))
         self.assertEqual(cells_by_ids(fetch(hull)), cells_by_ids(fetch(alone)))
         self.assertEqual(coordinates(fetch(hull)).dtype, xyz.dtype)
@@ -83,7 +82,7 @@ class TestSelection(unittest.TestCase):
 
     def test_selection_of_a_hull(self):
         """Ids of the hull's points, which ParaView has never seen in the input, do not get in its way."""
-        hull = run(simple.ConvexHullFlipFlop(Input=real("spot"), VisiblePointIds=1))
+        hull = run(simple.ConvexHullFlipFlop(Input=real("spot"), GenerateOriginalIds=1))
         ids = array(fetch(hull).GetPointData(), IDS)
         simple.SetActiveSource(hull)
         simple.SelectPoints("OriginalPointIds < 1000", hull)
@@ -124,12 +123,12 @@ with open({result!r}, "wb") as file:
         )  # fmt: skip
         hull = simple.ConvexHullFlipFlop(registrationName="hull", Input=source)
         simple.ConvexifyFlipFlop(registrationName="convex", Input=hull)
-        weighted = simple.RegularWeightedDelaunayTriangulationFlipFlop(registrationName="weighted", Input=squares)
+        weighted = simple.Delaunay2DFlipFlop(registrationName="weighted", Input=squares)
         weighted.Weights = ["POINTS", "squares"]
         weighted.FacetMode = "Polygons"
         weighted.ProjectionPlaneMode = "Transform"
         weighted.Transform.Rotate = [10, 0, 0]
-        diagram = simple.VoronoiPowerDiagramFlipFlop(registrationName="diagram", Input=squares)
+        diagram = simple.Voronoi2DFlipFlop(registrationName="diagram", Input=squares)
         diagram.Weights = ["POINTS", "squares"]
         diagram.PowerDiagramBoxMode = "Bounds Given"
         diagram.PowerDiagramCorner, diagram.PowerDiagramLengths = [635700, 848900, 0], [300, 300, 0]

@@ -83,7 +83,7 @@ class TestStreamedWriter(unittest.TestCase):
                 for block in blocks:
                     self.assertEqual(set(values_of(block.GetPointData(), "pieces")), {6})
                 make = {
-                    "Triangulation": simple.RegularWeightedDelaunayTriangulationFlipFlop,
+                    "Triangulation": simple.Delaunay2DFlipFlop,
                     "Hull": simple.ConvexHullFlipFlop,
                 }[shape]
                 self.compare(blocks, make(Input=cloud(points())), points())
@@ -100,7 +100,7 @@ class TestStreamedWriter(unittest.TestCase):
         values = np.concatenate([values_of(block.GetPointData(), "weight") for block in blocks])
         np.testing.assert_array_equal(values, weight[found])
         self.compare(
-            blocks, simple.RegularWeightedDelaunayTriangulationFlipFlop(Input=source, **settings), xyz
+            blocks, simple.Delaunay2DFlipFlop(Input=source, **settings), xyz
         )
 
     def test_an_error(self):

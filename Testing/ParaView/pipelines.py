@@ -8,6 +8,7 @@ import tempfile
 
 import numpy as np
 from paraview import servermanager, simple
+from vtkflipflop import vtkFFAlgorithm
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -53,10 +54,16 @@ def real(name):
 
 
 def run(proxy):
-    """The proxy after its run, what this found included."""
+    """The proxy after its run."""
     proxy.UpdatePipeline()
-    proxy.UpdatePropertyInformation()
     return proxy
+
+
+def report(proxy):
+    """The filter itself, which has the report of the last run."""
+    found = proxy.GetClientSideObject()
+    assert isinstance(found, vtkFFAlgorithm)
+    return found
 
 
 def fetch(proxy, port=0):

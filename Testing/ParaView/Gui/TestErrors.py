@@ -28,6 +28,7 @@ def not_finite(window):
     yield from window.open_file(gui.write_points("nan.vtp", coordinates))
     yield from window.add_filter("Flip-Flop", "Convex Hull (Flip-Flop)")
     gui.check_equal(window.messages(), "")
+    window.tick("ReportAsFieldData")
     yield from window.apply()
     yield from says(window, "A coordinate is NaN or infinite: first at point 7, 2 such point(s) in all.",
                     "set Non Finite Points to Ignore.")
@@ -57,7 +58,8 @@ def wall(window):
     """Points in a vertical plane: in the XY plane they are a chain, in their own they have triangles."""
     along, up = numpy.random.default_rng(2).integers(0, 1000, (2, 200))
     yield from window.open_file(gui.write_points("wall.vtp", numpy.stack([along, 2 * along, up], axis=1) + 0.0))
-    yield from window.add_filter("Flip-Flop", "Delaunay Triangulation 2D (Flip-Flop)")
+    yield from window.add_filter("Flip-Flop", "Delaunay 2D (Flip-Flop)")
+    window.tick("ReportAsFieldData")
     yield from window.apply()
     yield from says(window, "The points are in one vertical plane",
                     "set Projection Plane Mode to Best-Fitting Plane.")

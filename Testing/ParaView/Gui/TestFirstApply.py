@@ -8,10 +8,9 @@ import numpy
 from paraview import simple
 from qt import QtCore, QtTest, QtWidgets
 
-HULL, DELAUNAY = "Convex Hull (Flip-Flop)", "Delaunay Triangulation 2D (Flip-Flop)"
-DIAGRAM, CONVEXIFY = "Voronoi / Power Diagram (Flip-Flop)", "Convexify (Flip-Flop)"
+HULL, DELAUNAY = "Convex Hull (Flip-Flop)", "Delaunay 2D (Flip-Flop)"
+DIAGRAM, CONVEXIFY = "Voronoi 2D (Flip-Flop)", "Convexify (Flip-Flop)"
 TERRAIN = "Terrain Mesh (Flip-Flop)"
-REGULAR = "Regular (Weighted Delaunay) Triangulation (Flip-Flop)"
 
 
 def shown(window, source):
@@ -62,7 +61,7 @@ CASES = {
     "hull-table": (HULL, table, None),
     "hull-box": (HULL, source("Box"), 12),
     "delaunay": (DELAUNAY, file("sainthelens.vtp"), 33480),
-    "regular": (REGULAR, file("autzen.vtp"), 21285),
+    "delaunay-survey": (DELAUNAY, file("autzen.vtp"), 21285),
     "diagram": (DIAGRAM, file("autzen.vtp"), 10653),
     "diagram-image": (DIAGRAM, source("Wavelet"), 441),
     "terrain": (TERRAIN, file("sainthelens.vtp"), None),
@@ -76,8 +75,7 @@ def first_apply(window, name):
     simple.ResetSession()
     yield from make(window)
     yield from window.add_filter("Flip-Flop", label)
-    composite = window.find(QtWidgets.QWidget, "propertiesPanel").findChild(QtWidgets.QWidget, "CompositeMode")
-    gui.check_equal(composite is not None and composite.isVisible(), name == "hull-blocks")
+    gui.check_equal(window.shown("CompositeMode") is not None, name == "hull-blocks")
     yield from window.apply()
     yield from window.stands_still(0.2)
     window.screen(f"{name}.png")

@@ -18,7 +18,7 @@ def test(window):
     window.screen("plugin-manager.png")
     manager.close()
     yield lambda: gui.gone(manager)
-    for name in ("Convex Hull", "Convexify", "Delaunay Triangulation 2D", "Voronoi / Power Diagram"):
+    for name in ("Convex Hull", "Convexify", "Delaunay 2D", "Voronoi 2D"):
         assert f"{name} (Flip-Flop)" in window.entries("Filters", "Flip-Flop"), name
     gui.check_equal(window.messages(), "")
 

@@ -23,7 +23,7 @@ def test(window):
     yield lambda: os.path.exists(path)
     gui.check_equal(window.messages(), "")
 
-    triangulation = simple.RegularWeightedDelaunayTriangulationFlipFlop(Input=simple.GetActiveSource())
+    triangulation = simple.Delaunay2DFlipFlop(Input=simple.GetActiveSource())
     triangulation.UpdatePipeline()
     yield from window.open_file(path)
     counts = [source.GetDataInformation().GetNumberOfCells() for source in (simple.GetActiveSource(), triangulation)]

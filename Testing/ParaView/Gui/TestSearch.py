@@ -8,20 +8,20 @@ from qt import QtTest, QtWidgets, six
 
 # What somebody types after Ctrl+Space, and a part of what they must find.
 FOUND = {
-    "delaunay": ["Delaunay Triangulation 2D (Flip-Flop)", "Regular (Weighted Delaunay) Triangulation (Flip-Flop)"],
-    "voronoi": ["Voronoi / Power Diagram (Flip-Flop)"],
-    "power": ["Voronoi / Power Diagram (Flip-Flop)"],
-    "weighted": ["Regular (Weighted Delaunay) Triangulation (Flip-Flop)"],
-    "hull": ["Convex Hull (Flip-Flop)", "Select Points in Convex Hull (Flip-Flop)"],
-    "interpol": ["Point Interpolator 2D, Delaunay (Flip-Flop)"],
+    "delaunay": ["Delaunay 2D (Flip-Flop)"],
+    "voronoi": ["Voronoi 2D (Flip-Flop)"],
+    "hull": ["Convex Hull (Flip-Flop)", "Select Inside Hull (Flip-Flop)"],
+    "interpol": ["Interpolator 2D (Flip-Flop)"],
     "convexify": ["Convexify (Flip-Flop)"],
 }
 # ParaView 6 also searches the short help.
 FOUND_BY_HELP = {
     "raster": ["Points To Image (Flip-Flop)"],
-    "natural": ["Point Interpolator 2D, Delaunay (Flip-Flop)", "Points To Image (Flip-Flop)"],
+    "natural": ["Interpolator 2D (Flip-Flop)", "Points To Image (Flip-Flop)"],
     "lidar": ["Terrain Mesh (Flip-Flop)", "Points To Image (Flip-Flop)"],
-    "weights": ["Regular (Weighted Delaunay) Triangulation (Flip-Flop)", "Voronoi / Power Diagram (Flip-Flop)"],
+    "weights": ["Delaunay 2D (Flip-Flop)", "Voronoi 2D (Flip-Flop)"],
+    "regular": ["Delaunay 2D (Flip-Flop)"],
+    "power diagram": ["Voronoi 2D (Flip-Flop)"],
 }
 
 
@@ -72,9 +72,9 @@ def test(window):
             assert name in found, f"{text} finds {sorted(found)}, not {name}"
             gui.check_equal(found[name] is not None and not found[name].isNull(), icons)
 
-    yield from window.add_filter("Flip-Flop", "Voronoi / Power Diagram (Flip-Flop)")
+    yield from window.add_filter("Flip-Flop", "Voronoi 2D (Flip-Flop)")
     text = yield from page(window)
-    for words in ("Voronoi / Power Diagram (Flip-Flop)", "a disk of radius r has the weight", "PowerDiagramBoxMode"):
+    for words in ("Voronoi 2D (Flip-Flop)", "a disk of radius r has the weight", "PowerDiagramBoxMode"):
         assert words in text, text
     tip = window.property_box("ProjectionPlaneMode").parent().toolTip()
     assert "The plane in which the points are triangulated" in tip, tip

@@ -25,10 +25,12 @@ def test(window):
     simple.Hide(hull)
 
     simple.SetActiveSource(cloud)
-    yield from window.add_filter("Flip-Flop", "Regular (Weighted Delaunay) Triangulation (Flip-Flop)")
+    yield from window.add_filter("Flip-Flop", "Delaunay 2D (Flip-Flop)")
     weights = window.property_box("Weights")
     gui.check_equal(sorted(gui.choices(weights)), ["Elevation", "None", "weight"])
     gui.check_equal(weights.currentText(), "None")
+    assert not window.shown("WeightMode")
+    window.tick("ReportAsFieldData")
     yield from window.apply()
     triangulation = simple.GetActiveSource()
     display = simple.Show(triangulation, Representation="Surface")
@@ -47,6 +49,7 @@ def test(window):
     # one of the two.
     yield from window.show_properties()
     weights.setCurrentText("weight")
+    yield lambda: window.shown("WeightMode")
     yield from window.apply()
     _, arrays = yield from window.information()
     gui.check_range(arrays, "FlipFlopHiddenPoints", 1, 17003)
@@ -56,6 +59,20 @@ def test(window):
     )
     gui.check_equal(visible + hidden, 17004)
     gui.check_range(arrays, "FlipFlopHiddenPoints", hidden, hidden)
+
+    # What constraints take comes with them.
+    yield from window.show_properties()
+    weights.setCurrentText("None")
+    yield from window.apply()
+    assert not window.shown("SplitCrossingConstraints")
+    low_x, high_x, low_y, high_y, low, high = cloud.GetDataInformation().GetBounds()
+    line = simple.Line(Point1=[low_x, low_y, low], Point2=[high_x, high_y, high])
+    simple.SetActiveSource(triangulation)
+    triangulation.Source = line
+    yield lambda: window.shown("SplitCrossingConstraints")
+    window.screen("panel.png")
+    triangulation.UpdatePipeline()
+    assert simple.OutputPort(triangulation, "Fixed Edges").GetDataInformation().GetNumberOfCells() > 1
     gui.check_equal(window.messages(), "")
 
 

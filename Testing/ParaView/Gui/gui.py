@@ -215,10 +215,21 @@ class Gui:
         self.show_tab("Properties")
         yield self.find(QtWidgets.QWidget, "propertiesPanel").isVisible
 
+    def shown(self, name):
+        """What the Properties panel shows of a property, or None. It keeps the widgets of other filters, hidden."""
+        widgets = self.find(QtWidgets.QWidget, "propertiesPanel").findChildren(QtWidgets.QWidget, name)
+        return next((widget for widget in widgets if widget.isVisible()), None)
+
     def property_box(self, name):
-        """The list of choices of a property in the Properties panel."""
+        """The list of choices of a property in the Properties panel, also of an advanced one."""
         panel = self.find(QtWidgets.QWidget, "propertiesPanel")
-        return panel.findChild(QtWidgets.QWidget, name).findChild(QtWidgets.QComboBox)
+        return (self.shown(name) or panel.findChild(QtWidgets.QWidget, name)).findChild(QtWidgets.QComboBox)
+
+    def tick(self, name):
+        """Tick the box of a property in the Properties panel."""
+        box = self.shown(name).findChild(QtWidgets.QCheckBox)
+        QtTest.QTest.mouseClick(box, QtCore.Qt.MouseButton.LeftButton, pos=QtCore.QPoint(8, box.height() // 2))
+        assert box.isChecked()
 
     def information(self):
         """

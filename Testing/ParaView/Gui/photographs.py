@@ -111,6 +111,7 @@ def hull(window):
     view.CameraViewAngle = 24
     yield from menu(window)
     yield from window.add_filter("Flip-Flop", "Convex Hull (Flip-Flop)")
+    window.tick("ReportAsFieldData")
     yield from window.apply()
     display = simple.Show(simple.GetActiveSource(), Representation="Surface With Edges")
     display.Opacity = 0.4
@@ -132,12 +133,12 @@ def triangulation(window):
     weighted.ResultArrayName, weighted.Function = "weight", "-60 * Elevation"
     yield from window.apply()
     simple.Hide(weighted)
-    yield from window.add_filter("Flip-Flop", "Regular (Weighted Delaunay) Triangulation (Flip-Flop)")
+    yield from window.add_filter("Flip-Flop", "Delaunay 2D (Flip-Flop)")
     window.property_box("Weights").setCurrentText("weight")
     yield from window.apply()
     found = simple.GetActiveSource()
     simple.SetActiveSource(weighted)
-    yield from window.add_filter("Flip-Flop", "Voronoi / Power Diagram (Flip-Flop)")
+    yield from window.add_filter("Flip-Flop", "Voronoi 2D (Flip-Flop)")
     window.property_box("Weights").setCurrentText("weight")
     yield from window.apply()
     districts = simple.GetActiveSource()
@@ -168,7 +169,7 @@ def diagram(window):
     radii = 3 + 12 * random.random(150) ** 3
     yield from window.open_file(gui.write_points("disks.vtp", places, radius=radii))
     disks = simple.GetActiveSource()
-    yield from window.add_filter("Flip-Flop", "Voronoi / Power Diagram (Flip-Flop)")
+    yield from window.add_filter("Flip-Flop", "Voronoi 2D (Flip-Flop)")
     window.property_box("Weights").setCurrentText("radius")
     window.property_box("WeightMode").setCurrentText("Radii")
     window.property_box("PowerDiagramBoxMode").setCurrentText("Bounds Given")

@@ -13,9 +13,7 @@ import pieces
 AS_ONE = {"CompositeMode": 1}
 POLYGONS = {"FacetMode": 1}
 WEIGHTS = {"Weights": ["POINTS", "Weight"]}
-HULL, TRIANGULATION = "ConvexHullFlipFlop", "RegularWeightedDelaunayTriangulationFlipFlop"
-DELAUNAY, DIAGRAM = "DelaunayTriangulation2DFlipFlop", "VoronoiPowerDiagramFlipFlop"
-PLANAR = TRIANGULATION, DELAUNAY, DIAGRAM
+HULL, TRIANGULATION, DIAGRAM = "ConvexHullFlipFlop", "Delaunay2DFlipFlop", "Voronoi2DFlipFlop"
 
 
 class Case(NamedTuple):
@@ -31,9 +29,9 @@ CASES = {
     "Blocks": Case("blocks"),
     "BlocksAsOne": Case("blocks", AS_ONE),
     "RealSpread": Case("spot", POLYGONS),
-    "Delaunay": Case("disks", POLYGONS, DELAUNAY),
+    "Delaunay": Case("disks", POLYGONS, TRIANGULATION),
     "Regular": Case("disks", WEIGHTS, TRIANGULATION),
-    "Disks": Case("disks", {**WEIGHTS, "VisiblePointIds": 1}, DIAGRAM),
+    "Disks": Case("disks", {**WEIGHTS, "GenerateCellMeasures": 1}, DIAGRAM),
     # What cannot be done.
     "Nan": Case("with_nan"),
     "NanInTriangulation": Case("with_nan", {}, TRIANGULATION),
@@ -47,7 +45,6 @@ def plain_class(case):
     return {
         HULL: vtkflipflop.vtkPFFHullFilter,
         TRIANGULATION: vtkflipflop.vtkPFFRegularTriangulationFilter,
-        DELAUNAY: vtkflipflop.vtkPFFDelaunayFilter,
         DIAGRAM: vtkflipflop.vtkPFFPowerDiagramFilter,
     }[case.filter]
 
@@ -59,4 +56,4 @@ def pipeline(name):
     source = simple.ProgrammableSource(OutputDataSetType=data_type)
     source.Script = pieces.SOURCE.format(kind=case.kind)
     source.ScriptRequestInformation = pieces.INFORMATION
-    return source, getattr(simple, case.filter)(Input=source, **case.settings)
+    return source, getattr(simple, case.filter)(Input=source, ReportAsFieldData=1, **case.settings)
