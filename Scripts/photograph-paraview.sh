@@ -10,6 +10,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 pictures="$top/build/paraview/photographs"
 rm -rf "$pictures"
 export FLIPFLOP_BUILD="$top/build/paraview"
-PV_PLUGIN_PATH=$(plugin_path "$FLIPFLOP_BUILD") "$top/Testing/ParaView/Gui/run-in-paraview.sh" \
+plugin=$(plugin_path "$FLIPFLOP_BUILD")
+PV_PLUGIN_PATH="$plugin:${plugin}Icons" "$top/Testing/ParaView/Gui/run-in-paraview.sh" \
   "$paraview/bin/paraview" "$top/Testing/ParaView/Gui/photographs.py" "$pictures"
 cp "$pictures"/paraview-*.png "$top/Documentation/Figures/"

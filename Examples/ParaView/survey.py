@@ -43,7 +43,7 @@ pixels.Origin = [557945.0, 5107991.5, 0.0]
 pixels.Point1 = [567665.0, 5107991.5, 0.0]
 pixels.Point2 = [557945.0, 5121941.5, 0.0]
 pixels.XResolution, pixels.YResolution = 162, 232
-raster = PointInterpolator2DDelaunayFlipFlop(registrationName='Raster', Input=pixels, Source=points)
+raster = Interpolator2DFlipFlop(registrationName='Raster', Input=pixels, Source=points)
 raster.InterpolationMode = 'Clough-Tocher'
 relief = WarpByScalar(registrationName='Relief', Input=raster)
 relief.Scalars = ['POINTS', 'Elevation']
