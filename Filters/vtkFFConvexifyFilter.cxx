@@ -9,16 +9,12 @@
 #include "FFSurfaceCells.h"
 
 #include "vtkDataObject.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
-#include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -39,12 +35,6 @@ void checkKernel(const double* kernel)
 }
 
 }
-
-//------------------------------------------------------------------------------
-vtkFFConvexifyFilter::vtkFFConvexifyFilter() = default;
-
-//------------------------------------------------------------------------------
-vtkFFConvexifyFilter::~vtkFFConvexifyFilter() = default;
 
 //------------------------------------------------------------------------------
 void vtkFFConvexifyFilter::SetEngine(int engine)

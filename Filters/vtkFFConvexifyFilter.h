@@ -6,31 +6,22 @@
  *
  * vtkFFConvexifyFilter is the Flip-Flop algorithm itself (Algorithm 1 of the paper named in
  * vtkFFAlgorithm): it turns a star-shaped polyhedron into its convex hull by local flips. Its time
- * is proportional to the flips needed. So a surface that is nearly convex, such as a hull whose
- * points have moved a little, takes less time than a hull from scratch.
+ * is proportional to the flips needed: a surface that is nearly convex, such as a hull whose points
+ * have moved a little, takes less time than a hull from scratch.
  *
- * The input is a vtkPolyData of triangles, polygons and triangle strips that form a closed,
- * consistently oriented manifold. Its normals may point outward or inward. Polygons are cut into
- * triangles, concave ones too: as they are seen along the coordinate axis that is nearest to their
- * normal, by exact signs, so that none of a flat polygon's triangles folds over another. A convex
- * polygon becomes the fan from its first corner.
- *
- * The surface must be star-shaped: there is a kernel point that strictly sees the inside of every
- * triangle. Give that point with SetKernelPoint(), or let the
- * filter search for one (the default). An exact test decides whether the surface is star-shaped
- * from it.
+ * The input is a vtkPolyData of triangles, polygons (also concave ones) and triangle strips that
+ * form a closed, consistently oriented manifold, whose normals point outward or inward. It must be
+ * star-shaped: there is a kernel point that strictly sees the inside of every triangle. Give that
+ * point with SetKernelPoint(), or let the filter search for one (the default). Exact signs cut
+ * polygons, as seen along the coordinate axis nearest to their normal, and test the kernel point.
  *
  * The output is the exact hull in the same canonical form as vtkFFHullFilter's, with the same
- * arrays. How polygons were cut does not show in it. Points that no cell uses are ignored. An input
- * without points gives an empty output.
+ * arrays. Points that no cell uses are ignored. An input without points gives an empty output.
  *
- * The following inputs are errors. They name the first cell at fault and give an empty output:
- * points without a cell; a vertex or a line; a polygon or strip of fewer than three points; a cell
- * with a corner that does not exist or is used twice; a polygon that crosses or touches itself; a
- * surface that is not closed, not a
- * manifold or not oriented consistently; a surface that is not star-shaped from the kernel point. A
- * NaN or infinite coordinate of a used point is always an error, since the surface would not be
- * closed without the point.
+ * What is no such surface is an error that names the first cell at fault: points without a cell; a
+ * vertex or a line; a cell of fewer than three points; a corner that does not exist or is used
+ * twice; a polygon that crosses or touches itself; a surface that is not closed, no manifold, not
+ * oriented consistently or not star-shaped. So is a NaN or infinite coordinate of a used point.
  *
  * This filter runs on the CPU engine, whatever GetCUDAThreshold() is.
  *
@@ -49,14 +40,9 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFConvexifyFilter : public vtkFFHullAlgorithm
 {
 public:
-  ///@{
-  /**
-   * Standard methods for instantiation, type information and printing.
-   */
   static vtkFFConvexifyFilter* New();
   vtkTypeMacro(vtkFFConvexifyFilter, vtkFFHullAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
 
   /**
    * Set the engine: ENGINE_AUTOMATIC or ENGINE_CPU, to which ENGINE_CUDA is clamped.
@@ -65,11 +51,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the kernel point, which strictly sees the inside of every triangle. (0, 0, 0) by
-   * default. SetKernelPoint() also turns UseKernelPoint on; you can turn it off later.
-   *
-   * StoreKernelPoint() never turns it on. It is for applications that set all properties, in any
-   * order.
+   * Set/Get the kernel point, in the coordinates of the input. (0, 0, 0) by default. What is not
+   * finite, or from where the surface is not star-shaped, is an error. SetKernelPoint() also turns
+   * UseKernelPoint on; StoreKernelPoint() does not: it is for applications that set all properties.
    */
   virtual void SetKernelPoint(double x, double y, double z);
   virtual void SetKernelPoint(const double point[3]);
@@ -80,7 +64,6 @@ public:
   ///@{
   /**
    * Set/Get whether KernelPoint is used. Off by default: the filter searches for a kernel point.
-   * SetKernelPoint() turns it on.
    */
   vtkSetMacro(UseKernelPoint, bool);
   vtkGetMacro(UseKernelPoint, bool);
@@ -88,8 +71,8 @@ public:
   ///@}
 
 protected:
-  vtkFFConvexifyFilter();
-  ~vtkFFConvexifyFilter() override;
+  vtkFFConvexifyFilter() = default;
+  ~vtkFFConvexifyFilter() override = default;
 
   void Execute(vtkDataObject* data, vtkInformationVector** inputVector,
     const std::vector<vtkDataObject*>& results, FFRun& run) override;

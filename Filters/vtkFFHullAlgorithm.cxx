@@ -16,7 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <cstddef>
@@ -58,36 +57,23 @@ void setPlanes(vtkPolyData* output, const flipflop::Options& options, vtkPlanes*
   hull.pointIds.allocate(static_cast<std::size_t>(output->GetNumberOfPoints()));
   std::iota(hull.pointIds.begin(), hull.pointIds.end(), std::int64_t(0));
   FFOutput::CopyCells(output->GetPolys(), hull);
-  const vtkIdType count = output->GetNumberOfPolys();
-  vtkNew<vtkPoints> positions;
-  positions->SetDataTypeToDouble();
-  positions->SetNumberOfPoints(count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const std::int64_t begin = hull.offsets[static_cast<std::size_t>(i)];
-    positions->SetPoint(i, output->GetPoint(hull.connectivity[static_cast<std::size_t>(begin)]));
-  }
-
   const FFPointSource points(output->GetPoints()->GetData());
   const flipflop::Buffer<double> found = flipflop::facetPlanes(points.GetView(), hull, options);
+  vtkNew<vtkPoints> positions;
+  positions->SetDataTypeToDouble();
   vtkNew<vtkDoubleArray> normals;
   normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(count);
-  for (vtkIdType i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < found.size() / 4; ++i)
   {
-    normals->SetTypedTuple(i, found.data() + 4 * i);
+    const std::int64_t corner = hull.connectivity[static_cast<std::size_t>(hull.offsets[i])];
+    positions->InsertNextPoint(output->GetPoint(corner));
+    normals->InsertNextTypedTuple(found.data() + 4 * i);
   }
   planes->SetPoints(positions);
   planes->SetNormals(normals);
 }
 
 }
-
-//------------------------------------------------------------------------------
-vtkFFHullAlgorithm::vtkFFHullAlgorithm() = default;
-
-//------------------------------------------------------------------------------
-vtkFFHullAlgorithm::~vtkFFHullAlgorithm() = default;
 
 //------------------------------------------------------------------------------
 void vtkFFHullAlgorithm::WriteHull(const FFHullResult& hull, vtkPolyData* output, FFRun& run) const

@@ -26,17 +26,12 @@ class vtkPlanes;
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFHullAlgorithm : public vtkFFAlgorithm
 {
 public:
-  ///@{
-  /**
-   * Standard methods for type information and printing.
-   */
   vtkAbstractTypeMacro(vtkFFHullAlgorithm, vtkFFAlgorithm);
-  ///@}
 
   ///@{
   /**
    * Get the volume of the last run's result (0 below dimension 3), and the area of its surface (of
-   * the polygon, once, in dimension 2; 0 below). For several blocks with a result each: the sums.
+   * the polygon, once, in dimension 2; 0 below). Of several blocks: the sums.
    */
   double GetVolume() { return this->Report.Volume; }
   double GetArea() { return this->Report.Area; }
@@ -44,21 +39,17 @@ public:
 
   /**
    * Give @p planes the planes of the last output's cells, in the cells' order: the first corner of
-   * each cell as its point, and the outward unit normal. So the implicit function is negative
-   * inside the hull and positive outside; vtkClipPolyData, vtkExtractGeometry and others take it.
-   * With SetFacetMode(FACETS_AS_POLYGONS) there is one plane for each facet.
+   * each, and the outward unit normal, off by no more than 1e-15 of each component. So the implicit
+   * function is negative inside. Next to the surface it is not exact; vtkFFSelectEnclosedPoints is.
    *
-   * The normals are rounded: off by no more than 1e-15 of each component, however thin a facet is.
-   * So the function is not exact next to the surface; vtkFFSelectEnclosedPoints is.
-   *
-   * The hull must be of dimension 3, and the output a single hull, not a composite. Otherwise there
-   * is an error, @p planes has no plane, and the result is false.
+   * If the output is a composite, or no hull of dimension 3, there is an error, @p planes has no
+   * plane, and the result is false.
    */
   bool GetPlanes(vtkPlanes* planes);
 
 protected:
-  vtkFFHullAlgorithm();
-  ~vtkFFHullAlgorithm() override;
+  vtkFFHullAlgorithm() = default;
+  ~vtkFFHullAlgorithm() override = default;
 
   /**
    * The hull, whose facets are polygons, becomes the output, which may be its data, and part of the

@@ -43,18 +43,11 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFHullFilter : public vtkFFHullAlgorithm
 {
 public:
-  ///@{
-  /**
-   * Standard methods for instantiation, type information and printing.
-   */
   static vtkFFHullFilter* New();
   vtkTypeMacro(vtkFFHullFilter, vtkFFHullAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
 
-  /**
-   * What a composite input gives.
-   */
+  /// What a composite input gives.
   enum CompositeModeType
   {
     HULL_OF_EACH_BLOCK = 0,
@@ -75,31 +68,15 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of pieces that the input is streamed in. The default is 1: the input is
-   * taken as a whole. With more, the filter asks its input for one piece after another, as
-   * vtkPolyDataStreamer does, and keeps the extreme points of those so far: the hull of hulls is
-   * the hull. The output is that of one run on all pieces appended in their order (or given as the
-   * partitions of a vtkPartitionedDataSet), bit for bit.
+   * Set/Get the number of pieces that the input is streamed in. 1 by default: it is taken as a
+   * whole. With more, the filter asks its input for one piece after another, as vtkPolyDataStreamer
+   * does, and keeps the extreme points of those so far. The output is that of one run on all pieces
+   * appended, bit for bit; ids count the points of all, and can be beyond 2^32. If the output
+   * itself is asked for in pieces, each is divided.
    *
-   * - In memory are one piece and the extreme points so far, which are
-   *   there twice while a piece's are joined to them: few for a solid,
-   *   nearly all for points on a thin shell.
-   * - Upstream, readers and sources must deliver pieces
-   *   (CAN_HANDLE_PIECE_REQUEST, or CAN_PRODUCE_SUB_EXTENT). If none
-   *   does, or the data was set (SetInputData()), the first piece has
-   *   all, and no other is asked for.
-   * - A composite can be streamed if it has one hull: see
-   *   SetCompositeMode().
-   * - Ids count the points of all pieces, piece after piece. They and
-   *   the numbers of points can be beyond 2^32.
-   * - An error in a piece ends the run: no further one is asked for. Of
-   *   points that are not finite, it names the first, and counts those
-   *   so far.
-   * - Dimension, volume, area and the numbers of points are of all
-   *   pieces. The other statistics are sums over the runs.
-   *
-   * If the output itself is asked for in pieces, each is divided. Several processes stream with
-   * vtkPFFHullFilter.
+   * Something upstream must deliver pieces (CAN_HANDLE_PIECE_REQUEST, or CAN_PRODUCE_SUB_EXTENT);
+   * otherwise the first one has all. A composite is streamed with HULL_OF_ALL_BLOCKS. An error in a
+   * piece ends the run; of points that are not finite, it counts those so far.
    */
   vtkSetClampMacro(NumberOfStreamDivisions, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfStreamDivisions, int);

@@ -8,9 +8,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
-vtkFFPlanarAlgorithm::vtkFFPlanarAlgorithm() = default;
-
-//------------------------------------------------------------------------------
 vtkFFPlanarAlgorithm::~vtkFFPlanarAlgorithm()
 {
   this->StoreTransform(nullptr);

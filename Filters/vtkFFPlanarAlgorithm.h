@@ -12,15 +12,14 @@
  *     filter->SetInputArrayToProcess(
  *       0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weights");
  *
- * By default there is no array, and all points weigh the same. An empty name means the same, and so
- * does the name None if no array has it. A weight is a squared length and may be negative: the
- * power distance of x from a point p of weight w is |x - p|^2 - w, so a disk of radius r has the
- * weight r^2. The array may also have the radii (see SetWeightMode()). Adding the same number to
- * all weights changes nothing.
+ * By default there is no array, and all points weigh the same; so too by an empty name, and by the
+ * name None if no array has it. A weight is a squared length and may be negative: the power
+ * distance of x from a point p of weight w is |x - p|^2 - w, so a disk of radius r has the weight
+ * r^2. Adding the same number to all weights changes nothing.
  *
- * Weights are unusable if they are not numbers, or if there is not one for each point: an error
- * that names the array. Without points, no weights are needed. A point is not finite if its weight
- * or any coordinate is NaN or infinite, also z if z does not matter.
+ * An array that has no numbers, or not one for each point, is an error that names it. Without
+ * points, no weights are needed. A point is not finite if its weight or any coordinate is NaN or
+ * infinite, also z if z does not matter.
  *
  * @sa
  * vtkFFRegularTriangulationFilter vtkFFPowerDiagramFilter
@@ -39,17 +38,10 @@ class vtkAbstractTransform;
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPlanarAlgorithm : public vtkFFAlgorithm
 {
 public:
-  ///@{
-  /**
-   * Standard methods for type information and printing.
-   */
   vtkAbstractTypeMacro(vtkFFPlanarAlgorithm, vtkFFAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
 
-  /**
-   * The plane in which points are triangulated. The values are those of vtkDelaunay2D.
-   */
+  /// The plane in which points are triangulated. The values are those of vtkDelaunay2D.
   enum ProjectionPlaneModeType
   {
     XY_PLANE = 0,
@@ -57,9 +49,7 @@ public:
     BEST_FITTING_PLANE = 2
   };
 
-  /**
-   * What the values of the weights' array are.
-   */
+  /// What the values of the weights' array are.
   enum WeightModeType
   {
     WEIGHTS = 0,
@@ -71,12 +61,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the transform that takes the points to the XY plane. None by default. SetTransform()
-   * with a transform also sets ProjectionPlaneMode to TRANSFORM_PLANE; you can set another mode
-   * later. SetTransform() with null does not change the mode. TRANSFORM_PLANE needs a transform.
-   *
-   * StoreTransform() never changes the mode. It is for applications that set all properties, in
-   * any order.
+   * Set/Get the transform that takes the points to the XY plane. None by default, which is an error
+   * for TRANSFORM_PLANE. SetTransform() with a transform also sets that mode; StoreTransform() does
+   * not: it is for applications that set all properties.
    */
   virtual void SetTransform(vtkAbstractTransform* transform);
   void StoreTransform(vtkAbstractTransform* transform);
@@ -88,22 +75,21 @@ public:
    * Set/Get the plane in which the points are triangulated. The output's points keep their original
    * positions.
    *
-   * - XY_PLANE (the default): z is left out. The points are not
-   *   copied, and nothing is rounded.
+   * - XY_PLANE (the default): z is left out; nothing is copied or
+   *   rounded.
    * - TRANSFORM_PLANE: the points are transformed by Transform, and z
    *   is left out. Weights are squared lengths after the transform.
    * - BEST_FITTING_PLANE: the points are projected to the plane
    *   through their centroid with the least sum of squared distances.
-   *   All finite points count the same, whatever their weight. The
-   *   normal's component of largest magnitude (the last one, if
-   *   several are equal) is positive. Seen from the normal's tip,
-   *   triangles are counter-clockwise. Positions in the plane are
-   *   measured from the first finite point. The first axis is a
-   *   coordinate axis projected into the plane: x if the normal is
-   *   mostly along z, y if along x, z if along y.
+   *   All finite points count the same. The normal's component of
+   *   largest magnitude (of several the last) is positive; seen from
+   *   its tip, triangles are counter-clockwise. Positions in the plane
+   *   are measured from the first finite point, along x projected into
+   *   the plane if the normal is mostly along z, y if along x, z if
+   *   along y.
    *
    * In the latter two modes, the triangulation is exact for the projected positions, which are
-   * rounded to double. These positions are the same in each run, for any number of threads.
+   * rounded to double, the same in each run.
    */
   vtkSetClampMacro(ProjectionPlaneMode, int, XY_PLANE, BEST_FITTING_PLANE);
   vtkGetMacro(ProjectionPlaneMode, int);
@@ -117,52 +103,33 @@ public:
 
   ///@{
   /**
-   * Set/Get what the values of the weights' array are. Without an array, this does not matter.
+   * Set/Get what the values v of the weights' array are, and their factor f (1 by default, finite;
+   * it may be negative or 0). Without an array, neither matters.
    *
-   * - WEIGHTS (the default): weights. Each is multiplied by
-   *   WeightFactor.
-   * - RADII: the radii of disks. Each is multiplied by WeightFactor, and
-   *   the weight is the square.
+   * - WEIGHTS (the default): the weight is f * v, rounded once.
+   * - RADII: the weight is s * s of the double s = f * v. A negative
+   *   radius is an error.
    *
-   * Both are computed in double, from the values as they are: the product is rounded to double, and
-   * so is its square. For any number r, that is s * s of the double s = WeightFactor * r. So the
-   * weights are the same bits as in C++ or NumPy, and the result is exact for these weights. The
-   * square of a float, or of an integer below 2^26, is not rounded at all.
-   *
-   * A negative radius is an error that names the point. So is a weight that is too large for a
-   * double, though the value is finite.
+   * So the weights are the same bits as in C++ or NumPy, and the result is exact for them. A weight
+   * that is too large for a double, though the value is finite, is an error.
    */
   vtkSetClampMacro(WeightMode, int, WEIGHTS, RADII);
   vtkGetMacro(WeightMode, int);
   void SetWeightModeToWeights() { this->SetWeightMode(WEIGHTS); }
   void SetWeightModeToRadii() { this->SetWeightMode(RADII); }
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the factor of all weights, or of all radii: see SetWeightMode(). 1 by default, with
-   * which weights are taken as they are, and nothing is rounded. It may be negative or 0; NaN and
-   * infinity are errors.
-   */
   vtkSetMacro(WeightFactor, double);
   vtkGetMacro(WeightFactor, double);
   ///@}
 
   ///@{
   /**
-   * Set/Get whether the cells have two more cell arrays: Area (vtkDoubleArray) and Centroid
-   * (vtkDoubleArray, a position in space). Off by default.
+   * Set/Get whether cells have the cell arrays Area and Centroid (a position in space), both
+   * vtkDoubleArray. Off by default. Lines and vertices have the area 0, and their middle.
    *
-   * Both are measured in the plane of the triangulation, as seen along its normal: heights above
-   * the plane make no cell larger, and with TRANSFORM_PLANE the cell is measured after the
-   * transform. Centroids are positions of that plane, as the power diagram's corners are: at the
-   * points' lowest z for XY_PLANE, in the fitted plane, or where the inverse transform takes z = 0.
-   * A transform without an inverse is then an error. Lines and vertices have the area 0, and their
-   * middle for a centroid.
-   *
-   * An area is off by no more than 2^-50 of itself, however flat a cell is. In power cells that
-   * rounding made concave, it is 2^-50 of the areas of the fan from the first corner. Arrays of the
-   * input with these names are not passed to the power diagram's cells.
+   * Both are measured in the plane of the triangulation, after a transform. Centroids lie in it: at
+   * the points' lowest z for XY_PLANE, or where the inverse transform takes z = 0; without an
+   * inverse, that is an error. An area is off by no more than 2^-50 of itself; of a power cell that
+   * rounding made concave, of the fan from the first corner.
    */
   vtkSetMacro(GenerateCellMeasures, bool);
   vtkGetMacro(GenerateCellMeasures, bool);
@@ -171,20 +138,17 @@ public:
 
   ///@{
   /**
-   * Get the number of points that the last run found hidden and of the
-   * cells that it left out for the filter's settings; the sums for several blocks.
+   * Get how many points the last run found hidden, and how many cells it left out for the filter's
+   * settings; of several blocks the sums.
    */
   vtkIdType GetNumberOfHiddenPoints() { return this->Report.NumberOfHiddenPoints; }
   vtkIdType GetNumberOfDroppedCells() { return this->Report.NumberOfDroppedCells; }
   ///@}
 
-  /**
-   * The time of the last change, also of the transform.
-   */
-  vtkMTimeType GetMTime() override;
+  vtkMTimeType GetMTime() override; ///< the last change, also of the transform
 
 protected:
-  vtkFFPlanarAlgorithm();
+  vtkFFPlanarAlgorithm() = default;
   ~vtkFFPlanarAlgorithm() override;
 
   /// Nothing is known of threads in a transform that somebody else wrote.

@@ -21,12 +21,6 @@ VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFPowerDiagramFilter);
 
 //------------------------------------------------------------------------------
-vtkFFPowerDiagramFilter::vtkFFPowerDiagramFilter() = default;
-
-//------------------------------------------------------------------------------
-vtkFFPowerDiagramFilter::~vtkFFPowerDiagramFilter() = default;
-
-//------------------------------------------------------------------------------
 void vtkFFPowerDiagramFilter::Execute(vtkDataObject* data, vtkInformationVector**,
   const std::vector<vtkDataObject*>& results, FFRun& run)
 {

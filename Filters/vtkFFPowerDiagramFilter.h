@@ -6,29 +6,22 @@
  *
  * vtkFFPowerDiagramFilter computes the power diagram of points, clipped to a box: the dual of the
  * triangulation that vtkFFRegularTriangulationFilter gives. Without weights, it is the Voronoi
- * diagram. vtkFFPlanarAlgorithm says what weights are, and how to give them. Cells of the input are
- * ignored.
+ * diagram. vtkFFPlanarAlgorithm says how to give weights. Cells of the input are ignored.
  *
  * The output has one polygon for each point whose region meets the inside of the box, by ascending
  * id. Neighbours share their corners, and points of one power circle meet in one corner. The choice
  * of the regions that meet is exact; the corners' coordinates are rounded. The input's point data
- * and vtkOriginalPointIds (a vtkIdTypeArray) are cell data: each cell has the data of its point. In
- * vtkGhostType, each cell has the mark for cells that corresponds to its point's mark.
+ * and vtkOriginalPointIds (a vtkIdTypeArray) are cell data, with marks for cells in vtkGhostType.
  *
- * Its corners lie in the plane of the triangulation: for XY_PLANE at the lowest z of the points
- * that are triangulated or hidden, in the fitted plane for BEST_FITTING_PLANE, and for
- * TRANSFORM_PLANE where the inverse transform takes z = 0. A transform without an inverse is then
- * an error.
+ * Corners lie in the plane of the triangulation, as vtkFFPlanarAlgorithm says of centroids. There
+ * the rounded cells are simple polygons, counter-clockwise, that fill the box edge to edge without
+ * gap or overlap, exactly. They are convex except for rounding: a corner may turn the other way by
+ * a few units in the last place. Cells that have no inside after rounding are missing. Corners
+ * within a few units of each other may be merged if a cell would otherwise not be simple or convex.
+ * (Fitted planes and transforms round the corners once more on the way back into space.)
  *
- * In the plane, the cells are simple polygons, counter-clockwise, that fill the box edge to edge
- * without gap or overlap. That holds exactly for the rounded corners. The cells are convex except
- * for rounding: a corner may turn the other way by a few units in the last place. Cells that have
- * no inside after rounding are missing. Corners within a few units of each other may be merged if
- * a cell would otherwise not be simple or convex. (Fitted planes and transforms round the corners
- * once more on the way back into space.)
- *
- * Every input has an answer. No point: empty. Points at one position: the region of one of them is
- * the box. The reported seconds and statistics are the triangulation's.
+ * No point: empty. Points at one position: the region of one of them is the box. The reported
+ * seconds and statistics are the triangulation's.
  *
  * @sa
  * vtkFFPlanarAlgorithm vtkFFRegularTriangulationFilter vtkVoronoi2D
@@ -46,18 +39,11 @@ class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPowerDiagramFilter
   : public vtkFFPlanarAlgorithm
 {
 public:
-  ///@{
-  /**
-   * Standard methods for instantiation, type information and printing.
-   */
   static vtkFFPowerDiagramFilter* New();
   vtkTypeMacro(vtkFFPowerDiagramFilter, vtkFFPlanarAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
 
-  /**
-   * The box to which the power diagram is clipped.
-   */
+  /// The box to which the power diagram is clipped.
   enum PowerDiagramBoxModeType
   {
     BOX_OF_POINTS = 0,
@@ -67,26 +53,17 @@ public:
   ///@{
   /**
    * Set/Get the box of BOX_OF_BOUNDS, (xmin, xmax, ymin, ymax) in the plane: of x and y, of the
-   * transformed points, or measured in the fitted plane. (0, 1, 0, 1) by default. It must be finite
-   * and have an inside. SetPowerDiagramBounds() also sets PowerDiagramBoxMode to BOX_OF_BOUNDS; you
-   * can set another mode later.
-   *
-   * StorePowerDiagramBounds() never changes the mode. It is for applications that set all
-   * properties, in any order.
+   * transformed points, or measured in the fitted plane. (0, 1, 0, 1) by default. One that is not
+   * finite or has no inside is an error. SetPowerDiagramBounds() also sets that mode. The others do
+   * not: they are for applications that set all properties, in any order, or whose users move a box
+   * in space, by its least corner and its lengths; z does not count.
    */
   virtual void SetPowerDiagramBounds(double xmin, double xmax, double ymin, double ymax);
   virtual void SetPowerDiagramBounds(const double bounds[4]);
   void StorePowerDiagramBounds(double xmin, double xmax, double ymin, double ymax);
-  vtkGetVector4Macro(PowerDiagramBounds, double);
-  ///@}
-
-  ///@{
-  /**
-   * Set the same bounds by the box's least corner and its lengths, in any order; z does not count.
-   * The mode stays. It is for applications whose users move a box in space.
-   */
   void StorePowerDiagramCorner(double x, double y, double z);
   void StorePowerDiagramLengths(double x, double y, double z);
+  vtkGetVector4Macro(PowerDiagramBounds, double);
   ///@}
 
   ///@{
@@ -103,8 +80,8 @@ public:
   ///@}
 
 protected:
-  vtkFFPowerDiagramFilter();
-  ~vtkFFPowerDiagramFilter() override;
+  vtkFFPowerDiagramFilter() = default;
+  ~vtkFFPowerDiagramFilter() override = default;
 
   void Execute(vtkDataObject* data, vtkInformationVector** inputVector,
     const std::vector<vtkDataObject*>& results, FFRun& run) override;

@@ -24,9 +24,6 @@ vtkFFQueryAlgorithm::vtkFFQueryAlgorithm()
 }
 
 //------------------------------------------------------------------------------
-vtkFFQueryAlgorithm::~vtkFFQueryAlgorithm() = default;
-
-//------------------------------------------------------------------------------
 int vtkFFQueryAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
   FFBlocks::AcceptWhole(info);

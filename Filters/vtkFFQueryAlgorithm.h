@@ -35,17 +35,10 @@ class FFRun;
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFQueryAlgorithm : public vtkDataSetAlgorithm
 {
 public:
-  ///@{
-  /**
-   * Standard methods for type information and printing.
-   */
   vtkAbstractTypeMacro(vtkFFQueryAlgorithm, vtkDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
 
-  /**
-   * What to do with points that have a NaN or infinite coordinate or weight.
-   */
+  /// What to do with points that have a NaN or infinite coordinate or weight.
   enum NonFinitePointsType
   {
     NON_FINITE_ERROR = 0,
@@ -54,9 +47,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of threads. 0 (the default) means as many as vtkSMPTools uses: one, if its
-   * backend is Sequential, as in Debian's ParaView and the wheels of VTK. -1 means all that the
-   * machine has. The output does not depend on it.
+   * Set/Get the number of threads, as for vtkFFAlgorithm. 0 (the default): as many as vtkSMPTools
+   * uses. -1: all.
    */
   vtkSetClampMacro(NumberOfThreads, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
@@ -76,10 +68,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether ghost points of the second input are left out. On by default. Ghost points are
-   * those that the point array vtkGhostType marks as another piece's
-   * (vtkDataSetAttributes::DUPLICATEPOINT) or as hidden (HIDDENPOINT: blanked points of grids). All
-   * points of the first input have an answer, whatever their marks.
+   * Set/Get whether points of the second input that its array vtkGhostType marks as DUPLICATEPOINT
+   * or HIDDENPOINT are left out. On by default. All points of the first input have an answer.
    */
   vtkSetMacro(SkipGhostPoints, bool);
   vtkGetMacro(SkipGhostPoints, bool);
@@ -94,7 +84,7 @@ public:
 
 protected:
   vtkFFQueryAlgorithm();
-  ~vtkFFQueryAlgorithm() override;
+  ~vtkFFQueryAlgorithm() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;

@@ -9,11 +9,9 @@
 #include <flipflop/ConvexHull.h>
 #include <flipflop/HullQueries.h>
 
-#include "vtkAlgorithmOutput.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkExecutive.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"

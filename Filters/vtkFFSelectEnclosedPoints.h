@@ -6,8 +6,7 @@
  *
  * vtkFFSelectEnclosedPoints tells of each point of its input whether it is inside the convex hull
  * of a surface's points, on it, or outside. It is used as vtkSelectEnclosedPoints is, but the
- * region is the convex hull of the points of the surface, whose cells are ignored. It may also be a
- * mere set of points.
+ * region is the convex hull of the points of the surface, whose cells are ignored.
  *
  * The answer is exact for all finite points: no tolerance decides anything. Points outside the
  * hull's box take a few comparisons, nearly all that are deep inside a look into a table. The
@@ -15,23 +14,15 @@
  *
  * The output is a shallow copy of the input with these point arrays:
  *
- * - SelectedPoints (vtkUnsignedCharArray), the active scalars: 1 for
- *   points that are selected, 0 for others. Points inside the hull are,
- *   and those on its surface, unless SelectPointsOnSurface is off.
- *   InsideOut turns the selection round.
- * - FlipFlopSide (vtkSignedCharArray): 1 inside, 0 on the surface, -1
- *   outside
- * - FlipFlopDistance (vtkDoubleArray), if GenerateDistances is on: the
- *   distance from the surface, negative inside
+ * - SelectedPoints (vtkUnsignedCharArray), the active scalars: 1 for points that are selected, 0
+ *   for others. Points inside the hull and on its surface are, but see the settings.
+ * - FlipFlopSide (vtkSignedCharArray): 1 inside, 0 on the surface, -1 outside
+ * - FlipFlopDistance (vtkDoubleArray): see SetGenerateDistances()
  *
  * A hull of dimension 2 or less has no inside: all of its points are on the surface. If there is no
- * point, all is outside, and infinitely far away.
- *
- * Points of the input that are not finite are an error. If they are ignored, they are outside, and
- * their distance is NaN.
- *
- * @warning
- * At most 2^32 - 2 points can be given on either port, and in each data set of a composite.
+ * point, all is outside, and infinitely far away. Points of the input that are not finite are an
+ * error; if they are ignored, they are outside, and their distance is NaN. At most 2^32 - 2 points
+ * can be given on either port, and in each data set of a composite.
  *
  * @sa
  * vtkFFQueryAlgorithm vtkFFHullFilter vtkSelectEnclosedPoints
@@ -57,14 +48,9 @@ class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFSelectEnclosedPoints
   : public vtkFFQueryAlgorithm
 {
 public:
-  ///@{
-  /**
-   * Standard methods for instantiation, type information and printing.
-   */
   static vtkFFSelectEnclosedPoints* New();
   vtkTypeMacro(vtkFFSelectEnclosedPoints, vtkFFQueryAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
 
   ///@{
   /**
@@ -77,17 +63,12 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the points that are not enclosed are selected instead. Off by default.
+   * Set/Get whether points on the surface count as enclosed (on by default), and whether the points
+   * that are not enclosed are selected instead (off by default).
    */
   vtkSetMacro(InsideOut, bool);
   vtkGetMacro(InsideOut, bool);
   vtkBooleanMacro(InsideOut, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get whether points on the surface count as enclosed. On by default.
-   */
   vtkSetMacro(SelectPointsOnSurface, bool);
   vtkGetMacro(SelectPointsOnSurface, bool);
   vtkBooleanMacro(SelectPointsOnSurface, bool);
@@ -95,9 +76,9 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the output has the distance of each point from the surface. Off by default. The
-   * distance's sign is exact: negative inside, 0 on the surface, positive outside. Its value is off
-   * by no more than 1e-14 times the distance to the farthest vertex.
+   * Set/Get whether the output has the distance of each point from the surface, negative inside,
+   * with the exact sign. Off by default. The value is off by no more than 1e-14 times the distance
+   * to the farthest vertex.
    */
   vtkSetMacro(GenerateDistances, bool);
   vtkGetMacro(GenerateDistances, bool);
@@ -112,12 +93,10 @@ public:
 
   ///@{
   /**
-   * Ask about single points, also without a run. Initialize() prepares the hull of a surface's
-   * points; a run does that, too. IsInsideSurface() then gives 1 for enclosed points (also those on
-   * the surface, unless SelectPointsOnSurface is off), and 0 for all others. InsideOut does not
-   * matter. Complete() releases the memory.
-   *
-   * Without a surface, there is an error. For many points, a run takes much less time.
+   * Query single points. Initialize() prepares the hull of a surface's points, as a run does.
+   * IsInsideSurface() then returns 1 for enclosed points (also those on the surface, unless
+   * SelectPointsOnSurface is off), else 0; InsideOut does not matter. Complete() releases the
+   * memory. No surface is an error. For many points, a run takes much less time.
    */
   void Initialize(vtkDataObject* surface);
   int IsInsideSurface(const double x[3]);
