@@ -3,12 +3,13 @@
 #include "FFConstraints.h"
 
 #include "FFOutput.h"
+#include "FFPlanarInput.h"
 #include "FFRun.h"
 #include "FFSurfaceCells.h"
-#include "vtkFFRegularTriangulationFilter.h"
+#include "vtkFFAlgorithm.h"
 
+#include <flipflop/ClosedLines.h>
 #include <flipflop/Error.h>
-#include <flipflop/PlaneFit.h>
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -30,7 +31,6 @@
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -57,21 +57,21 @@ std::string toText(double number)
   return text.str();
 }
 
-std::string toText(const double* point)
+std::string positionOf(vtkDataSet* data, vtkIdType i)
 {
+  double point[3];
+  data->GetPoint(i, point);
   return "(" + toText(point[0]) + ", " + toText(point[1]) + ", " + toText(point[2]) + ")";
 }
 
-/// NaN is the same as NaN.
-bool isSame(const double* a, const double* b, int dimensions)
+/// Whether a point of both has the same coordinates. NaN is the same as NaN.
+bool isSame(vtkDataSet* a, vtkDataSet* b, vtkIdType point, int dimensions)
 {
-  return std::equal(a, a + dimensions, b,
+  double p[3], q[3];
+  a->GetPoint(point, p);
+  b->GetPoint(point, q);
+  return std::equal(p, p + dimensions, q,
     [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
-}
-
-bool isFlat(vtkFFPlanarAlgorithm* filter)
-{
-  return filter->GetProjectionPlaneMode() == vtkFFPlanarAlgorithm::XY_PLANE;
 }
 
 /// These points after those given. The run gets the id -1 for each.
@@ -100,36 +100,11 @@ double shareOf(const double* a, const double* b, const double* q)
 }
 
 //------------------------------------------------------------------------------
-FFConstraints::FFConstraints(vtkFFRegularTriangulationFilter* filter, vtkPolyData* source,
-  vtkDataSet* input, const std::vector<vtkIdType>& given, const flipflop::Options& options)
-  : FFConstraints({ filter->GetSourcePoints(), isFlat(filter) ? 2 : 3,
-                    filter->GetClosedLinesAsBorders(), true, true },
-      source, input, given, options)
-{
-}
-
-//------------------------------------------------------------------------------
-FFConstraints::FFConstraints(
-  vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& given, int dimensions)
-  : FFConstraints(
-      { vtkFFRegularTriangulationFilter::INPUT_POINTS, dimensions, false, false, false }, source,
-      input, given, {})
-{
-}
-
-//------------------------------------------------------------------------------
-FFConstraints::FFConstraints(
-  int sourcePoints, vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& given)
-  : FFConstraints({ sourcePoints, 2, false, true, false }, source, input, given, {})
-{
-}
-
-//------------------------------------------------------------------------------
 FFConstraints::FFConstraints(const SettingsType& settings, vtkPolyData* source, vtkDataSet* input,
   const std::vector<vtkIdType>& given, const flipflop::Options& options)
-  : Source(source)
+  : Settings(settings)
+  , Source(source)
   , Input(input)
-  , Settings(settings)
   , Given(given)
 {
   for (vtkCellArray* cells : { source->GetLines(), source->GetPolys() })
@@ -140,19 +115,31 @@ FFConstraints::FFConstraints(const SettingsType& settings, vtkPolyData* source, 
       throw std::runtime_error(fault);
     }
   }
-  const int points = settings.SourcePoints;
-  this->IsOwn = points == vtkFFRegularTriangulationFilter::OWN_POINTS ||
-    (points == vtkFFRegularTriangulationFilter::AUTOMATIC_POINTS && this->FindOwnPoints());
+  this->IsOwn = settings.SourcePoints == vtkFFAlgorithm::OWN_POINTS ||
+    (settings.SourcePoints == vtkFFAlgorithm::AUTOMATIC_POINTS && this->FindOwnPoints());
   if (settings.ClosedLinesAsBorders)
   {
     this->FindRings(options);
   }
-  const vtkIdType vertices = source->GetNumberOfVerts();
-  this->Take(source->GetLines(), vertices, Cells::OpenLines);
+  this->Take(false);
   const std::size_t lines = this->CellIds.size();
-  this->Take(source->GetLines(), vertices, Cells::ClosedLines);
-  this->Take(source->GetPolys(), vertices + source->GetNumberOfLines(), Cells::Polygons);
+  this->Take(true);
   this->Sides = static_cast<std::int64_t>(this->CellIds.size() - lines);
+}
+
+//------------------------------------------------------------------------------
+void FFConstraints::EachCell(const CellVisitor& visit) const
+{
+  vtkIdType cell = this->Source->GetNumberOfVerts();
+  vtkNew<vtkIdList> corners;
+  for (vtkCellArray* cells : { this->Source->GetLines(), this->Source->GetPolys() })
+  {
+    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i, ++cell)
+    {
+      cells->GetCellAtId(i, corners);
+      visit(cell, cells == this->Source->GetPolys(), corners);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -160,33 +147,18 @@ bool FFConstraints::FindOwnPoints() const
 {
   const vtkIdType own = this->Source->GetNumberOfPoints();
   const vtkIdType count = this->Input->GetNumberOfPoints();
-  vtkNew<vtkIdList> corners;
-  for (vtkCellArray* cells : { this->Source->GetLines(), this->Source->GetPolys() })
-  {
-    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  bool isOwn = false;
+  this->EachCell(
+    [&](vtkIdType, bool, vtkIdList* corners)
     {
-      cells->GetCellAtId(i, corners);
-      for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+      for (vtkIdType k = 0; !isOwn && k < corners->GetNumberOfIds(); ++k)
       {
         const vtkIdType point = corners->GetId(k);
-        double ours[3], given[3];
-        if (point < 0 || point >= own)
-        {
-          continue; // an error, whosever points they are
-        }
-        this->Source->GetPoint(point, ours);
-        if (point < count)
-        {
-          this->Input->GetPoint(point, given);
-        }
-        if (point >= count || !isSame(ours, given, 3))
-        {
-          return true;
-        }
+        const bool isThere = point >= 0 && point < own; // else an error, whosever points they are
+        isOwn = isThere && (point >= count || !isSame(this->Source, this->Input, point, 3));
       }
-    }
-  }
-  return false;
+    });
+  return isOwn;
 }
 
 //------------------------------------------------------------------------------
@@ -195,13 +167,9 @@ void FFConstraints::FindRings(const flipflop::Options& options)
   vtkDataSet* const points = this->IsOwn ? static_cast<vtkDataSet*>(this->Source) : this->Input;
   std::vector<double> corners;
   std::vector<std::int64_t> offsets(1, 0);
-  vtkIdType cell = this->Source->GetNumberOfVerts();
-  vtkNew<vtkIdList> ids;
-  for (vtkCellArray* cells : { this->Source->GetLines(), this->Source->GetPolys() })
-  {
-    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i, ++cell)
+  this->EachCell(
+    [&](vtkIdType cell, bool, vtkIdList* ids)
     {
-      cells->GetCellAtId(i, ids);
       for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
       {
         this->GetId(ids->GetId(k), cell); // is there
@@ -209,8 +177,7 @@ void FFConstraints::FindRings(const flipflop::Options& options)
         points->GetPoint(ids->GetId(k), corners.data() + corners.size() - 3);
       }
       offsets.push_back(static_cast<std::int64_t>(corners.size() / 3));
-    }
-  }
+    });
   flipflop::LineView lines;
   lines.points = flipflop::PointView(corners.data(), offsets.back());
   lines.offsets = offsets.data();
@@ -220,26 +187,24 @@ void FFConstraints::FindRings(const flipflop::Options& options)
 }
 
 //------------------------------------------------------------------------------
-void FFConstraints::Take(vtkCellArray* cells, vtkIdType firstCell, Cells which)
+void FFConstraints::Take(bool asSides)
 {
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
-  {
-    cells->GetCellAtId(i, corners);
-    const int ring = which == Cells::Polygons || this->Rings.empty() ? 0 : this->Rings[i];
-    if (which != Cells::Polygons && (ring != 0) != (which == Cells::ClosedLines))
+  const vtkIdType first = this->Source->GetNumberOfVerts();
+  this->EachCell(
+    [&](vtkIdType cell, bool isPolygon, vtkIdList* corners)
     {
-      continue;
-    }
-    flipflop::eachConstraintAlong(corners->GetPointer(0), corners->GetNumberOfIds(),
-      which == Cells::Polygons,
-      [&](vtkIdType from, vtkIdType to)
+      const int ring = isPolygon || this->Rings.empty() ? 0 : this->Rings[cell - first];
+      if (asSides == (isPolygon || ring != 0))
       {
-        this->Ends.push_back(this->GetId(ring < 0 ? to : from, firstCell + i));
-        this->Ends.push_back(this->GetId(ring < 0 ? from : to, firstCell + i));
-        this->CellIds.push_back(firstCell + i);
-      });
-  }
+        flipflop::eachConstraintAlong(corners->GetPointer(0), corners->GetNumberOfIds(), isPolygon,
+          [&](vtkIdType from, vtkIdType to)
+          {
+            this->Ends.push_back(this->GetId(ring < 0 ? to : from, cell));
+            this->Ends.push_back(this->GetId(ring < 0 ? from : to, cell));
+            this->CellIds.push_back(cell);
+          });
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -291,65 +256,39 @@ void FFConstraints::CheckPoint(vtkIdType point, vtkIdType cell) const
     return;
   }
   this->CheckOwnPoint(point, cell);
-  double ours[3], given[3];
-  this->Source->GetPoint(point, ours);
-  this->Input->GetPoint(point, given);
-  if (!isSame(ours, given, this->Settings.Dimensions))
+  if (!isSame(this->Source, this->Input, point, this->Settings.Dimensions))
   {
     throw std::runtime_error("Point " + std::to_string(point) + " of " + describe(cell) +
-      " is at " + toText(ours) + ", and point " + std::to_string(point) + " of the input is at " +
-      toText(given) + ". The source's cells name points of the input by id, so at these ids its " +
+      " is at " + positionOf(this->Source, point) + ", and point " + std::to_string(point) +
+      " of the input is at " + positionOf(this->Input, point) +
+      ". The source's cells name points of the input by id, so at these ids its " +
       std::to_string(own) + " points must be those of the input, of which there are " +
       std::to_string(this->Input->GetNumberOfPoints()) + "; or it has no points." +
-      (this->Settings.TakesOwnPoints ? " If they are its own, set Source Points to Own Points."
-                                     : ""));
+      (this->Settings.HasSourcePoints ? " If they are its own, set Source Points to Own Points."
+                                      : ""));
   }
 }
 
 //------------------------------------------------------------------------------
-void FFConstraints::Join(vtkFFRegularTriangulationFilter* filter, FFPlanarInput& input, FFRun& run)
-{
-  this->Lines.emplace(filter, run);
-  if (this->IsOwn)
-  {
-    this->Lines->SetPoints(this->Source);
-    this->Lines->ProjectAs(input);
-  }
-  this->OwnHeights = this->IsOwn ? this->Lines->GetSpace() : input.GetSpace();
-  this->InputCount = input.GetPlane().count;
-  this->Joined = flipflop::joinLines(input.GetPlane(),
-    this->IsOwn ? this->Lines->GetPlane() : input.GetPlane(), this->GetWhole(), run.Options);
-  if (this->GetNumberOfJoinedPoints() > 0)
-  {
-    const flipflop::Buffer<double>& joined = this->Joined->positions;
-    flipflop::Buffer<double> positions(joined.size());
-    std::copy(joined.begin(), joined.end(), positions.begin());
-    input.SetPositions(std::move(positions));
-    input.SetPoints(this->AppendOwnPoints(input.GetPoints(), run));
-  }
-}
-
-//------------------------------------------------------------------------------
-void FFConstraints::Join(const flipflop::PointView& points, const flipflop::PointView& own,
+const flipflop::JoinedLines& FFConstraints::Join(const flipflop::PointView& points,
+  const flipflop::PointView& own, const flipflop::PointView& space,
   const flipflop::Options& options)
 {
-  this->OwnHeights = own;
+  this->OwnSpace = space;
   this->InputCount = points.count;
-  const flipflop::Buffer<double> finite[2] = { flipflop::positionsInXY(points, options),
-    flipflop::positionsInXY(own, options) };
-  const auto planeOf = [&](int which, const flipflop::PointView& space)
-  {
-    return finite[which].empty() ? space
-                                 : flipflop::PointView(finite[which].data(), space.count, 2);
-  };
-  this->Joined =
-    flipflop::joinLines(planeOf(0, points), planeOf(1, own), this->GetWhole(), options);
+  this->Joined = flipflop::joinLines(points, own, this->GetWhole(), options);
+  return *this->Joined;
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPointSet> FFConstraints::AppendOwnPoints(vtkPointSet* given, FFRun& run) const
+vtkSmartPointer<vtkPointSet> FFConstraints::AppendJoinedPoints(vtkPointSet* given, FFRun& run) const
 {
-  return append(given, FFOutput::SelectLike(given, this->Source, this->Joined->added), run);
+  const flipflop::Buffer<std::int64_t>& added = this->Joined->added;
+  if (added.empty())
+  {
+    return given;
+  }
+  return append(given, FFOutput::SelectLike(given, this->Source, added), run);
 }
 
 //------------------------------------------------------------------------------
@@ -362,9 +301,15 @@ vtkIdType FFConstraints::FindHeights(flipflop::PointView points,
   }
   points.count = this->InputCount;
   const flipflop::SplitConstraints unsplit;
-  this->Heights = flipflop::lineHeights(points, this->OwnHeights, this->GetWhole(), *this->Joined,
+  this->Heights = flipflop::lineHeights(points, this->OwnSpace, this->GetWhole(), *this->Joined,
     this->Pieces ? *this->Pieces : unsplit, triangulation, options);
   return static_cast<vtkIdType>(this->Heights->differing);
+}
+
+//------------------------------------------------------------------------------
+double FFConstraints::GetNewHeight(vtkIdType i) const
+{
+  return this->Heights->added[static_cast<std::size_t>(this->GetNumberOfJoinedPoints() + i)];
 }
 
 //------------------------------------------------------------------------------
@@ -439,38 +384,32 @@ vtkIdType FFConstraints::GetCellId(std::int64_t constraint) const
 }
 
 //------------------------------------------------------------------------------
-void FFConstraints::Split(FFPlanarInput& input, const flipflop::Options& options)
+flipflop::Buffer<double> FFConstraints::Split(
+  const flipflop::PointView& points, const flipflop::Options& options)
 {
-  const flipflop::PointView view = input.GetPlane();
-  this->Pieces = flipflop::splitCrossings(view, this->GetUnsplit(), options);
-  if (this->GetNumberOfNewPoints() == 0)
-  {
-    return;
-  }
+  this->Pieces = flipflop::splitCrossings(points, this->GetUnsplit(), options);
+  flipflop::Buffer<double> positions;
   const flipflop::Buffer<double>& added = this->Pieces->positions;
-  flipflop::Buffer<double> positions(2 * static_cast<std::size_t>(view.count) + added.size());
-  double* to = positions.data();
-  for (std::int64_t i = 0; i < view.count; ++i)
+  if (!added.empty())
   {
-    *to++ = FFPlanarInput::NumberAt(view, i * view.stride);
-    *to++ = FFPlanarInput::NumberAt(view, i * view.stride + 1);
+    positions.allocate(2 * static_cast<std::size_t>(points.count) + added.size());
+    double* to = positions.data();
+    for (std::int64_t i = 0; i < points.count; ++i)
+    {
+      *to++ = FFPlanarInput::NumberAt(points, i * points.stride);
+      *to++ = FFPlanarInput::NumberAt(points, i * points.stride + 1);
+    }
+    std::copy(added.begin(), added.end(), to);
   }
-  std::copy(added.begin(), added.end(), to);
-  input.SetPositions(std::move(positions));
+  return positions;
 }
 
 //------------------------------------------------------------------------------
-void FFConstraints::AppendNewPoints(FFPlanarInput& input, FFRun& run) const
+vtkSmartPointer<vtkPointSet> FFConstraints::AppendNewPoints(
+  vtkPointSet* given, const double* positions, bool isXY, bool isHeight, FFRun& run) const
 {
   const vtkIdType added = this->GetNumberOfNewPoints();
-  if (added == 0)
-  {
-    return;
-  }
-  vtkPointSet* const given = input.GetPoints();
   const vtkIdType count = given->GetNumberOfPoints();
-  const vtkIdType joined = this->GetNumberOfJoinedPoints();
-  const auto* positions = static_cast<const double*>(input.GetPlane().data);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(added);
@@ -493,15 +432,12 @@ void FFConstraints::AppendNewPoints(FFPlanarInput& input, FFRun& run) const
     {
       x[i] = (1.0 - share) * x[i] + share * y[i];
     }
-    if (input.IsXYPlane())
-    {
-      std::copy_n(position, 2, x); // as it was triangulated
-      x[2] = this->Heights->added[static_cast<std::size_t>(joined + k)];
-    }
+    std::copy_n(position, isXY ? 2 : 0, x); // as it was triangulated
+    x[2] = isHeight ? this->GetNewHeight(k) : x[2];
     points->SetPoint(k, x);
     created->GetPointData()->InterpolateEdge(given->GetPointData(), k, a, b, share);
   }
-  input.SetPoints(append(given, created, run));
+  return append(given, created, run);
 }
 
 //------------------------------------------------------------------------------
@@ -558,7 +494,7 @@ std::string FFConstraints::Describe(const flipflop::Error& error, const FFRun& r
       return "An edge of " + cellOf(error.index()) + " crosses one of " + cellOf(error.count()) +
         ", and there is no point where they do. Add one to " +
         (this->IsOwn ? "both" : "the input and to both") +
-        (this->Settings.Splits ? ", or turn on Split Crossing Constraints." : ".");
+        (this->Settings.CanSplit ? ", or turn on Split Crossing Constraints." : ".");
     case flipflop::ErrorCode::PolygonsDisagree:
     {
       const std::string wrong = cellOf(error.index());
@@ -575,5 +511,4 @@ std::string FFConstraints::Describe(const flipflop::Error& error, const FFRun& r
       return {};
   }
 }
-
 VTK_ABI_NAMESPACE_END

@@ -6,23 +6,21 @@
  * FFConstraints gives the engine the segments of the lines, polylines and polygons of a
  * vtkPolyData, whose ids are those of another data set's points, or of its own: then these points
  * join the others. Polygons come last, as the engine requires. On request, the engine splits the
- * segments where they cross.
+ * segments where they cross, at new points.
  */
 
 #ifndef FFConstraints_h
 #define FFConstraints_h
 
-#include "FFPlanarInput.h"
 #include "vtkFFMarks.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
-#include <flipflop/ClosedLines.h>
+#include <flipflop/Buffer.h>
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/ConstraintCrossings.h>
 #include <flipflop/JoinedLines.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -35,10 +33,9 @@ class Error;
 }
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkCellArray;
 class vtkDataArray;
 class vtkDataSet;
-class vtkFFRegularTriangulationFilter;
+class vtkIdList;
 class vtkInformationVector;
 class FFRun;
 class vtkPointSet;
@@ -48,7 +45,18 @@ class FFConstraints
 {
 public:
   /**
-   * @param filter which source's points count, and which lines are borders
+   * How a filter reads a source. By default, ids name points of the input.
+   */
+  struct SettingsType
+  {
+    int SourcePoints = 1; ///< vtkFFAlgorithm::SourcePointsType
+    int Dimensions = 2;   ///< coordinates that are compared: 2, if z does not matter, or 3
+    bool ClosedLinesAsBorders = false;
+    bool HasSourcePoints = false; ///< the filter has that setting
+    bool CanSplit = false;        ///< and the one to split constraints
+  };
+
+  /**
    * @param source whose cells are read
    * @param input  the data set whose points ids may name
    * @param given  ids of those of these points that the engine was given, ascending; empty: it was
@@ -57,24 +65,8 @@ public:
    * @throw std::runtime_error where a cell names a point that is not there, or that should be the
    *                           input's, and has other coordinates
    */
-  FFConstraints(vtkFFRegularTriangulationFilter* filter, vtkPolyData* source, vtkDataSet* input,
-    const std::vector<vtkIdType>& given, const flipflop::Options& options);
-
-  /**
-   * The same for a filter without such settings: ids name points of the input.
-   *
-   * @param dimensions coordinates that are compared: 2, if z does not matter, or 3
-   */
-  FFConstraints(vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& given,
-    int dimensions = 2);
-
-  /**
-   * The same for a filter that triangulates by x and y and has but this setting, of
-   * vtkFFRegularTriangulationFilter::SourcePointsType.
-   */
-  FFConstraints(
-    int sourcePoints, vtkPolyData* source, vtkDataSet* input, const std::vector<vtkIdType>& given);
-
+  FFConstraints(const SettingsType& settings, vtkPolyData* source, vtkDataSet* input,
+    const std::vector<vtkIdType>& given, const flipflop::Options& options = {});
   FFConstraints(const FFConstraints&) = delete;
   void operator=(const FFConstraints&) = delete;
 
@@ -89,40 +81,26 @@ public:
   bool HasOwnPoints() const { return this->IsOwn; }
 
   /**
-   * Join the source's own points to the input: positions in the plane, and in space, point data
-   * and ids (-1). If the points are the input's, nothing joins, and heights are prepared.
+   * Join the source's own points to the input's. If ids name the input's, nothing joins, and
+   * heights are prepared.
    *
+   * @param points the input's, in the plane
+   * @param own    the source's own, in the plane; or again the input's
+   * @param space  the latter, by x, y and height; valid as long as this object is used
    * @throw flipflop::Error as joinLines()
    */
-  void Join(vtkFFRegularTriangulationFilter* filter, FFPlanarInput& input, FFRun& run);
-
-  /**
-   * Join the source's own points to those of the input, both by x, y and height. A point is finite
-   * if all three are. The source's have to last as long as this object.
-   *
-   * @throw flipflop::Error as joinLines()
-   */
-  void Join(const flipflop::PointView& points, const flipflop::PointView& own,
+  const flipflop::JoinedLines& Join(const flipflop::PointView& points,
+    const flipflop::PointView& own, const flipflop::PointView& space,
     const flipflop::Options& options);
 
   /**
-   * The input's points and those that joined, with point data. The run has the id -1 for the
-   * latter.
-   */
-  vtkSmartPointer<vtkPointSet> AppendOwnPoints(vtkPointSet* given, FFRun& run) const;
-
-  /**
-   * The source's points that joined, by ascending ids.
-   */
-  const flipflop::Buffer<std::int64_t>& GetJoinedPoints() const { return this->Joined->added; }
-
-  /**
-   * Split the constraints where they cross. The input gets the positions of the new points in the
-   * plane, after its own.
+   * Split the constraints where they cross. Returns x and y of all points, the new ones last; empty
+   * if none is new.
    *
    * @throw flipflop::Error as splitCrossings()
    */
-  void Split(FFPlanarInput& input, const flipflop::Options& options);
+  flipflop::Buffer<double> Split(
+    const flipflop::PointView& points, const flipflop::Options& options);
 
   ///@{
   /**
@@ -133,6 +111,23 @@ public:
   ///@}
 
   /**
+   * The input's points and those that joined, with point data. The run has the id -1 for the
+   * latter.
+   */
+  vtkSmartPointer<vtkPointSet> AppendJoinedPoints(vtkPointSet* given, FFRun& run) const;
+
+  /**
+   * Those, and after them points where constraints cross, with the point data that can be
+   * interpolated, along the first of the constraints that cross there. The run has the id -1.
+   *
+   * @param positions x and y of all points
+   * @param isXY      a new point has this x and y, not those between the ends of the constraint
+   * @param isHeight  it has the height that was found, not the z between these
+   */
+  vtkSmartPointer<vtkPointSet> AppendNewPoints(
+    vtkPointSet* given, const double* positions, bool isXY, bool isHeight, FFRun& run) const;
+
+  /**
    * Find the heights at all points, if Join() was called. Returns at how many points several
    * differ.
    *
@@ -140,13 +135,7 @@ public:
    */
   vtkIdType FindHeights(flipflop::PointView points,
     const flipflop::ConstrainedTriangulation& triangulation, const flipflop::Options& options);
-
-  /**
-   * The input gets the new points: positions in space, and the point data that can be interpolated,
-   * along the first of the constraints that cross there. In the XY plane, a new point has the x and
-   * y that were triangulated, and the height that was found. The run has the id -1 for it.
-   */
-  void AppendNewPoints(FFPlanarInput& input, FFRun& run) const;
+  double GetNewHeight(vtkIdType i) const; ///< of one of those where constraints cross
 
   /**
    * Arrays for points of these ids, if Join() was called: PointOrigin, and HeightRange if heights
@@ -178,46 +167,29 @@ public:
   static vtkPolyData* SourceOf(vtkInformationVector** inputVector, const FFRun& run);
 
 private:
-  enum class Cells
-  {
-    OpenLines,
-    ClosedLines,
-    Polygons
-  };
-
-  struct SettingsType
-  {
-    int SourcePoints;
-    int Dimensions; // that are compared
-    bool ClosedLinesAsBorders;
-    bool TakesOwnPoints; // the filter has this setting
-    bool Splits;         // or can
-  };
-
-  FFConstraints(const SettingsType& settings, vtkPolyData* source, vtkDataSet* input,
-    const std::vector<vtkIdType>& given, const flipflop::Options& options);
+  using CellVisitor = std::function<void(vtkIdType cell, bool isPolygon, vtkIdList* corners)>;
+  void EachCell(const CellVisitor& visit) const; ///< lines, then polygons
   bool FindOwnPoints() const;
   void FindRings(const flipflop::Options& options);
-  void Take(vtkCellArray* cells, vtkIdType firstCell, Cells which);
+  void Take(bool asSides);
   std::int64_t GetId(vtkIdType point, vtkIdType cell) const;
-  std::string Describe(const flipflop::Error& error, const FFRun& run) const;
-  void CheckPoint(vtkIdType point, vtkIdType cell) const;
   void CheckOwnPoint(vtkIdType point, vtkIdType cell) const;
+  void CheckPoint(vtkIdType point, vtkIdType cell) const;
+  std::string Describe(const flipflop::Error& error, const FFRun& run) const;
   flipflop::ConstraintView GetWhole() const;
   flipflop::ConstraintView GetUnsplit() const;
 
+  const SettingsType Settings;
   vtkPolyData* const Source;
   vtkDataSet* const Input;
-  const SettingsType Settings;
-  bool IsOwn = false;
   const std::vector<vtkIdType>& Given;
+  bool IsOwn = false;
   std::vector<std::int64_t> Ends;
   std::vector<vtkIdType> CellIds;      // of each constraint
   flipflop::Buffer<std::int8_t> Rings; // of each line, as closedLines() gives it
   std::int64_t Sides = 0;
-  std::optional<FFPlanarInput> Lines; // the source's own points
-  flipflop::PointView OwnHeights;     // x, y and height of these
-  std::int64_t InputCount = 0;        // of points that others joined
+  flipflop::PointView OwnSpace; // x, y and height of the points that constraints name
+  std::int64_t InputCount = 0;  // of points that others joined
   std::optional<flipflop::JoinedLines> Joined;
   std::optional<flipflop::SplitConstraints> Pieces;
   std::optional<flipflop::LineHeights> Heights;

@@ -162,8 +162,10 @@ flipflop::TriangulationQueries queriesOf(const FFPlanarInput& input, vtkDataObje
   {
     run.UseCPU("constraints are the CPU's");
     input.CheckUnweighted();
+    FFConstraints::SettingsType settings;
+    settings.Dimensions = input.IsXYPlane() ? 2 : 3;
     const std::optional<FFConstraints> constraints(
-      std::in_place, source, vtkDataSet::SafeDownCast(data), run.Ids, input.IsXYPlane() ? 2 : 3);
+      std::in_place, settings, source, vtkDataSet::SafeDownCast(data), run.Ids);
     const auto work = [&]
     {
       const flipflop::ConstraintView view = constraints->GetView();

@@ -51,21 +51,44 @@ std::int64_t dropOutside(
   return cells - kept;
 }
 
+/// Lets the source's points join the input, if constraints name these: in the plane, in space, with
+/// point data and ids.
+void join(FFConstraints& constraints, vtkPolyData* source, FFPlanarInput& own, FFPlanarInput& input,
+  FFRun& run)
+{
+  if (constraints.HasOwnPoints())
+  {
+    own.SetPoints(source);
+    own.ProjectAs(input);
+  }
+  const FFPlanarInput& lines = constraints.HasOwnPoints() ? own : input;
+  const flipflop::JoinedLines& joined =
+    constraints.Join(input.GetPlane(), lines.GetPlane(), lines.GetSpace(), run.Options);
+  if (constraints.GetNumberOfJoinedPoints() > 0)
+  {
+    flipflop::Buffer<double> positions(joined.positions.size());
+    std::copy(joined.positions.begin(), joined.positions.end(), positions.begin());
+    input.SetPositions(std::move(positions));
+    input.SetPoints(constraints.AppendJoinedPoints(input.GetPoints(), run));
+  }
+}
+
 /// The triangulation of the input with the constraints, which are split where they cross if that is
 /// asked for; without the cells outside of the polygons.
 flipflop::ConstrainedTriangulation triangulate(vtkFFRegularTriangulationFilter* filter,
-  FFPlanarInput& input, std::optional<FFConstraints>& constraints, FFRun& run,
+  vtkPolyData* source, FFPlanarInput& input, std::optional<FFConstraints>& constraints, FFRun& run,
   std::int64_t& dropped)
 {
-  run.Options.polygons = filter->GetPolygonRule() == vtkFFRegularTriangulationFilter::DIRECTION
-    ? flipflop::PolygonRule::Direction
-    : flipflop::PolygonRule::EvenOdd;
+  const bool isDirected = filter->GetPolygonRule() == vtkFFRegularTriangulationFilter::DIRECTION;
+  run.Options.polygons =
+    isDirected ? flipflop::PolygonRule::Direction : flipflop::PolygonRule::EvenOdd;
   double done = shareOfRings;
   const auto partUpTo = [&](double end)
   {
     run.SetPart(done, end);
     done = end;
   };
+  FFPlanarInput own(filter, run);
   flipflop::ConstrainedTriangulation triangulation;
   const auto work = [&]
   {
@@ -73,12 +96,16 @@ flipflop::ConstrainedTriangulation triangulate(vtkFFRegularTriangulationFilter* 
     if (split || constraints->HasOwnPoints())
     {
       partUpTo(0.15);
-      constraints->Join(filter, input, run);
+      join(*constraints, source, own, input, run);
     }
     if (split)
     {
       partUpTo(0.2);
-      constraints->Split(input, run.Options);
+      flipflop::Buffer<double> positions = constraints->Split(input.GetPlane(), run.Options);
+      if (!positions.empty())
+      {
+        input.SetPositions(std::move(positions));
+      }
     }
     const flipflop::ConstraintView view = constraints->GetView();
     partUpTo(view.sides > 0 ? 0.8 : 1.0);
@@ -95,20 +122,25 @@ flipflop::ConstrainedTriangulation triangulate(vtkFFRegularTriangulationFilter* 
     run.Warnings.push_back(
       std::string(
         "No cell is inside the polygons of the source, so there are points and no cells.") +
-      (filter->GetPolygonRule() == vtkFFRegularTriangulationFilter::DIRECTION
+      (isDirected
           ? " What is on the left of a side is inside: reverse the polygons, or set Polygon Rule "
             "to Even-Odd."
           : ""));
   }
-  run.Report.NumberOfSplitPoints = constraints->GetNumberOfNewPoints();
-  run.Report.NumberOfAddedPoints = constraints->GetNumberOfJoinedPoints();
   run.SetPart(1.0, 1.0); // for whoever asks it to stop
-  if (input.IsXYPlane())
+  const bool isXY = input.IsXYPlane();
+  if (isXY)
   {
     run.Report.NumberOfHeightDifferences =
       constraints->FindHeights(input.GetSpace(), triangulation, run.Options);
   }
-  constraints->AppendNewPoints(input, run);
+  run.Report.NumberOfAddedPoints = constraints->GetNumberOfJoinedPoints();
+  run.Report.NumberOfSplitPoints = constraints->GetNumberOfNewPoints();
+  if (run.Report.NumberOfSplitPoints > 0)
+  {
+    const auto* const positions = static_cast<const double*>(input.GetPlane().data);
+    input.SetPoints(constraints->AppendNewPoints(input.GetPoints(), positions, isXY, isXY, run));
+  }
   return triangulation;
 }
 
@@ -153,14 +185,12 @@ vtkFFRegularTriangulationFilter::vtkFFRegularTriangulationFilter()
 }
 
 //------------------------------------------------------------------------------
-vtkFFRegularTriangulationFilter::~vtkFFRegularTriangulationFilter() = default;
-
-//------------------------------------------------------------------------------
 void vtkFFRegularTriangulationFilter::Execute(vtkDataObject* data,
   vtkInformationVector** inputVector, const std::vector<vtkDataObject*>& results, FFRun& run)
 {
   const auto resultOf = [&](std::size_t port) { return vtkPolyData::SafeDownCast(results[port]); };
   vtkPolyData* const source = FFConstraints::SourceOf(inputVector, run);
+  vtkPolyData* const output = resultOf(0);
   FFTriangulationOutput outputs(this, run);
   FFPlanarInput input(this, run);
   if (source)
@@ -175,8 +205,10 @@ void vtkFFRegularTriangulationFilter::Execute(vtkDataObject* data,
   {
     input.CheckUnweighted();
     run.SetPart(0.0, shareOfRings);
-    constraints.emplace(this, source, vtkDataSet::SafeDownCast(data), run.Ids, run.Options);
-    triangulation = triangulate(this, input, constraints, run, dropped);
+    const FFConstraints::SettingsType settings{ this->SourcePoints,
+      this->ProjectionPlaneMode == XY_PLANE ? 2 : 3, this->ClosedLinesAsBorders, true, true };
+    constraints.emplace(settings, source, vtkDataSet::SafeDownCast(data), run.Ids, run.Options);
+    triangulation = triangulate(this, source, input, constraints, run, dropped);
   }
   else
   {
@@ -195,14 +227,13 @@ void vtkFFRegularTriangulationFilter::Execute(vtkDataObject* data,
   {
     marks = constraints->MarkPoints(triangulation.pointIds);
   }
-  vtkPolyData* const output = resultOf(0);
   outputs.Write(input, triangulation, output, resultOf(1), resultOf(2));
-  for (const auto& array : marks)
-  {
-    output->GetPointData()->AddArray(array);
-  }
   if (constraints)
   {
+    for (const auto& array : marks)
+    {
+      output->GetPointData()->AddArray(array);
+    }
     writeFixedEdges(triangulation, *constraints, output, resultOf(3));
   }
   input.Report(triangulation, hidden, dropped, output);

@@ -8,24 +8,22 @@
  * set; of weighted points, it is the regular triangulation, the dual of vtkFFPowerDiagramFilter's
  * diagram. Cells of the input are ignored. vtkFFPlanarAlgorithm says in which plane, and how to
  * give weights. A second input has constraints: lines and polygons that are to be edges. The
- * triangulation is exact for every finite input.
+ * triangulation is exact for every finite input. At most 2^32 - 2 points can be given, about 5e8 if
+ * nearly all appear.
  *
  * The algorithm is ffRT of the paper named in vtkFFAlgorithm. A point appears if its lift is a
  * strictly extreme vertex of the lower hull; all others are hidden, also ties. Without weights,
  * only duplicates are hidden, by the lowest id.
  *
  * - Port 0, the triangulation: the points that appear, by ascending id, with their original
- *   position, type and bits. Triangles are counter-clockwise as seen from the plane's upper side,
- *   none without area. Each cell starts at its lowest id; all are in lexicographic order. Points on
- *   a line give a chain of lines, one position gives a vertex.
+ *   position, type and bits, and the point array vtkOriginalPointIds (a vtkIdTypeArray). Triangles
+ *   are counter-clockwise as seen from the plane's upper side, none without area. Each cell starts
+ *   at its lowest id; all are in lexicographic order. Points on a line give a chain of lines, one
+ *   position gives a vertex.
  * - Port 1, the hidden points: a vertex for each, by ascending id.
  * - Port 2, the border of the cells: see SetGenerateBoundary().
  * - Port 3, the fixed edges: a line for each edge that a constraint runs along, with the points of
- *   port 0. The cell array ConstraintCellIds (a vtkIdTypeArray) has the first cell of the source
- *   that does.
- *
- * The point array vtkOriginalPointIds (a vtkIdTypeArray) has the id that each point has in the
- * input. At most 2^32 - 2 points can be given, about 5e8 if nearly all appear.
+ *   port 0, and the cell array ConstraintCellIds (a vtkIdTypeArray): the first such cell.
  *
  * @sa
  * vtkFFPlanarAlgorithm vtkFFPowerDiagramFilter vtkPFFRegularTriangulationFilter vtkDelaunay2D
@@ -45,32 +43,15 @@ class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFRegularTriangulationFilter
   : public vtkFFPlanarAlgorithm
 {
 public:
-  ///@{
-  /**
-   * Standard methods for instantiation, type information and printing.
-   */
   static vtkFFRegularTriangulationFilter* New();
   vtkTypeMacro(vtkFFRegularTriangulationFilter, vtkFFPlanarAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
 
-  /**
-   * How the polygons of the source define what is inside.
-   */
+  /// How the polygons of the source define what is inside.
   enum PolygonRuleType
   {
     EVEN_ODD = 0,
     DIRECTION = 1
-  };
-
-  /**
-   * Whose points the source's cells name.
-   */
-  enum SourcePointsType
-  {
-    AUTOMATIC_POINTS = 0,
-    INPUT_POINTS = 1,
-    OWN_POINTS = 2
   };
 
   ///@{
@@ -78,18 +59,13 @@ public:
    * Set/Get alpha, a length: port 0 has the alpha complex of the triangulation. 0 by default: all
    * of it. As in vtkDelaunay2D, a triangle stays if its circumcircle has at most the radius Alpha;
    * that is decided exactly. With weights, it is the circle of power distance 0 from the corners,
-   * and the square of its radius is compared with that of Alpha; it may be negative. A negative
-   * number and NaN are an error of the update. Infinity leaves nothing out.
+   * by the squares of both; its may be negative. A negative number and NaN are errors.
    *
-   * AlphaLines adds the edges that are left as lines: those of no triangle that stays, whose own
-   * least circle has at most the radius Alpha and no point in it. AlphaVerts adds the points that
-   * are left as vertices. Both are off by default. MaximumEdgeLength applies to what Alpha leaves,
-   * also to lines.
-   *
-   * GenerateAlphas adds the cell array Alpha (vtkDoubleArray): for each cell the least Alpha for
-   * which it stays, without weights its circle's radius, rounded up. So a vtkThreshold of that
-   * array gives the cells of any alpha, exactly. With weights, a negative number stands for a
-   * negative square.
+   * AlphaLines adds the edges of no triangle that stays, whose own least circle has at most the
+   * radius Alpha and no point in it, as lines; AlphaVerts adds the points that are left as
+   * vertices. GenerateAlphas adds the cell array Alpha (vtkDoubleArray): the least Alpha for which
+   * a cell stays, rounded up (negative for a negative square), for a vtkThreshold. All are off by
+   * default.
    */
   vtkSetMacro(Alpha, double);
   vtkGetMacro(Alpha, double);
@@ -106,11 +82,10 @@ public:
 
   ///@{
   /**
-   * Set/Get the length of the longest edge that the cells of port 0 may have. 0 by default: any.
-   * Cells with a longer edge are left out: triangles, and the lines of collinear points. Edges are
-   * measured in the plane, and compared exactly: one as long as MaximumEdgeLength stays. A negative
-   * number and NaN are an error of the update. A polygon (see SetFacetMode()) is judged by its
-   * border; of its triangles, each by itself. All points stay in the output.
+   * Set/Get the length of the longest edge, in the plane, that a triangle or line of port 0 may
+   * have, of those that Alpha leaves. 0 by default: any. One as long stays: that is decided
+   * exactly. Of a polygon, the border counts. All points stay. A negative number and NaN are
+   * errors.
    */
   vtkSetMacro(MaximumEdgeLength, double);
   vtkGetMacro(MaximumEdgeLength, double);
@@ -118,9 +93,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether port 2 gives the border of the cells of port 0 as closed polylines. Off by
-   * default. Cells are on the left of each, so one around cells is counter-clockwise, and one
-   * around a hole is clockwise. No polyline passes a point twice; they may meet in points. Each
+   * Set/Get whether port 2 gives the border of the cells of port 0 as closed polylines, with cells
+   * on the left of each. Off by default. None passes a point twice; they may meet in points. Each
    * starts at its lowest id; they are in lexicographic order.
    */
   vtkSetMacro(GenerateBoundary, bool);
@@ -146,31 +120,27 @@ public:
 
   ///@{
   /**
-   * Set/Get whose points the cells of the source name. Points are compared as given, before a
-   * transform.
+   * Set/Get whose points the cells of the source name. Points are compared before a transform.
    *
    * - AUTOMATIC_POINTS (the default): the input's, if the source has
    *   no points, or if at all ids that its cells name its points are
-   *   those of the input, in all three coordinates. Otherwise its
-   *   own.
-   * - INPUT_POINTS: the input's, by id, as in vtkDelaunay2D. The
-   *   source has no points, or at these ids those of the input (x and
-   *   y alone for XY_PLANE): anything else is an error that names the
-   *   first id at which they differ.
+   *   the input's, in all three coordinates. Otherwise its own.
+   * - INPUT_POINTS: the input's, by id, as in vtkDelaunay2D. If the
+   *   source has points, others at these ids are an error (XY_PLANE:
+   *   by x and y).
    * - OWN_POINTS: the source's.
    *
-   * Own points that cells name join the points of the input, after them. At the position of a point
-   * of the input, in the plane, that point is used, with its own z and data; of several own points
-   * at one position, the first. Point data of the same name and number of components comes along.
-   * Where the source has no such array, added points have NaN, or 0 in arrays that are no
-   * floating-point numbers. In vtkOriginalPointIds, added points have -1.
+   * Own points that cells name join the input's, after them, with the point data of the same name
+   * and number of components (NaN or 0 where the source has none) and -1 in vtkOriginalPointIds. At
+   * the position of a point of the input, in the plane, that point is used; of several own points
+   * at one position, the first.
    *
    * With own points, or if crossing constraints are split, the output has the point array
    * PointOrigin (a vtkUnsignedCharArray): 0 for points of the input, 1 for those that the source
    * adds, 2 for those where constraints cross. For XY_PLANE it also has HeightRange, a
-   * vtkDoubleArray of two components: the lowest and the highest of all z that are given for a
-   * point, by itself, by points of the source at its position, and by the lines that end there or
-   * run through it. GetNumberOfHeightDifferences() returns at how many points these differ.
+   * vtkDoubleArray of two components: the lowest and the highest z that is given for a point, by
+   * itself, by points of the source at its position, and by the lines that end there or run through
+   * it. GetNumberOfHeightDifferences() returns at how many points these differ.
    */
   vtkSetClampMacro(SourcePoints, int, AUTOMATIC_POINTS, OWN_POINTS);
   vtkGetMacro(SourcePoints, int);
@@ -185,10 +155,10 @@ public:
    * are an error that names both cells.
    *
    * The output then has a new point at each crossing, after the others, at the double nearest to it
-   * in the plane. So constraints bend there by half a unit in the last place at most, between the
-   * points that are on them: these stay on them. Positions in space and point data are interpolated
-   * along the first of the constraints that cross there; data that cannot be is not passed then.
-   * The points of the output are double. In vtkOriginalPointIds, new points have -1.
+   * in the plane: constraints bend there by half a unit in the last place at most, and stay on the
+   * points that are on them. Its position in space and its point data are interpolated along the
+   * first of the constraints that cross there; data that cannot be is not passed then. Points are
+   * double, and new ones have -1 in vtkOriginalPointIds.
    */
   vtkSetMacro(SplitCrossingConstraints, bool);
   vtkGetMacro(SplitCrossingConstraints, bool);
@@ -200,9 +170,8 @@ public:
    * Set/Get how polygons of the source define what is inside. Cells outside are left out and
    * counted. Without polygons, and where all points are on one line, all cells stay.
    *
-   * - EVEN_ODD (the default): a cell is inside if a way to it from
-   *   outside crosses an odd number of sides. So a polygon keeps its
-   *   inside, and one in it is a hole, to any depth.
+   * - EVEN_ODD (the default): inside is where a way from outside
+   *   crosses an odd number of sides. So a polygon in one is a hole.
    * - DIRECTION: as in vtkDelaunay2D, what is on the left of a side,
    *   as seen from the plane's upper side, is inside: holes run
    *   clockwise. Polygons that disagree are an error that names two
@@ -217,10 +186,9 @@ public:
   ///@{
   /**
    * Set/Get whether closed lines of the source are polygons, too. Off by default. Lines are joined
-   * end to end first, at positions where exactly two of their ends are. A line, or a sequence of
-   * them, that then ends where it begins is closed, unless it encloses nothing. One that runs all
-   * the way along the outline of the source's polygons and of the closed lines before it is this
-   * outline, and no second polygon.
+   * end to end first, at positions where exactly two of their ends are. One that then ends where it
+   * begins is closed, unless it encloses nothing, or runs all the way along the outline of the
+   * source's polygons and of the closed lines before it.
    */
   vtkSetMacro(ClosedLinesAsBorders, bool);
   vtkGetMacro(ClosedLinesAsBorders, bool);
@@ -239,7 +207,7 @@ public:
 
 protected:
   vtkFFRegularTriangulationFilter();
-  ~vtkFFRegularTriangulationFilter() override;
+  ~vtkFFRegularTriangulationFilter() override = default;
 
   void Execute(vtkDataObject* data, vtkInformationVector** inputVector,
     const std::vector<vtkDataObject*>& results, FFRun& run) override;

@@ -10,13 +10,12 @@
 #include "FFRun.h"
 #include "FFWeightSource.h"
 
+#include <flipflop/PlaneFit.h>
 #include <flipflop/TerrainMesh.h>
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
-#include "vtkExecutive.h"
 #include "vtkFieldData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -32,7 +31,6 @@
 #include <numeric>
 #include <optional>
 #include <sstream>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -42,101 +40,119 @@ vtkStandardNewMacro(vtkFFTerrainMeshFilter);
 namespace
 {
 
-/// x, y and height of points: as they are in memory, where heights are z.
-class HeightSpace
+vtkDataArray* findHeights(
+  vtkFFTerrainMeshFilter* filter, vtkDataSet* points, const FFRun& run, const char* owner)
 {
-public:
-  HeightSpace(const flipflop::PointView& points, const flipflop::WeightView& heights)
-    : View(points)
+  return FFWeightSource::FindArray(filter, points, run.OfWhat(), owner, "height");
+}
+
+vtkDataArray* coordinatesOf(vtkPointSet* points)
+{
+  return points->GetPoints() ? points->GetPoints()->GetData() : nullptr;
+}
+
+/// x, y and height of points: as they are in memory, where heights are z.
+struct HeightSpace
+{
+  HeightSpace(
+    vtkFFTerrainMeshFilter* filter, vtkPointSet* points, const FFRun& run, const char* owner)
+    : Points(coordinatesOf(points))
+    , Heights(findHeights(filter, points, run, owner), {}, "height")
+    , View(this->Points.GetView())
+    , AreZ(!this->Heights.GetView().data)
   {
-    if (!heights.data)
+    if (!this->AreZ)
     {
-      return;
+      const flipflop::WeightView& heights = this->Heights.GetView();
+      this->Memory.allocate(3 * static_cast<std::size_t>(this->View.count));
+      double* to = this->Memory.data();
+      for (std::int64_t i = 0; i < this->View.count; ++i)
+      {
+        to = this->Copy(i, to);
+        to[-1] = FFPlanarInput::NumberAt(heights, i * heights.stride);
+      }
+      this->View = flipflop::PointView(this->Memory.data(), this->View.count);
     }
-    this->Memory.allocate(3 * static_cast<std::size_t>(points.count));
-    double* to = this->Memory.data();
-    for (std::int64_t i = 0; i < points.count; ++i)
-    {
-      *to++ = FFPlanarInput::NumberAt(points, i * points.stride);
-      *to++ = FFPlanarInput::NumberAt(points, i * points.stride + 1);
-      *to++ = FFPlanarInput::NumberAt(heights, i * heights.stride);
-    }
-    this->View = flipflop::PointView(this->Memory.data(), points.count);
-  }
-  double HeightOf(std::int64_t i) const
-  {
-    return FFPlanarInput::NumberAt(this->View, i * this->View.stride + 2);
   }
 
+  double* Copy(std::int64_t point, double* to) const
+  {
+    for (std::int64_t k = 0; k < 3; ++k)
+    {
+      *to++ = FFPlanarInput::NumberAt(this->View, point * this->View.stride + k);
+    }
+    return to;
+  }
+
+  /// A point is finite if x, y and height are.
+  flipflop::PointView GetPlane(const flipflop::Options& options)
+  {
+    this->Finite = flipflop::positionsInXY(this->View, options);
+    return this->Finite.empty() ? this->View
+                                : flipflop::PointView(this->Finite.data(), this->View.count, 2);
+  }
+
+  const FFPointSource Points;
+  const FFWeightSource Heights;
   flipflop::PointView View;
-
-private:
-  flipflop::Buffer<double> Memory;
+  const bool AreZ;
+  flipflop::Buffer<double> Memory, Finite;
 };
 
 /// The points, which those of a source may join, and their heights.
 class Survey
 {
 public:
-  Survey(vtkFFTerrainMeshFilter* filter, FFInput& input, FFRun& run)
+  Survey(vtkFFTerrainMeshFilter* filter, vtkPointSet* points, FFRun& run)
     : Filter(filter)
     , Run(run)
-    , Points(input.GetPieces()[0])
-    , Coordinates(
-        std::in_place, this->Points->GetPoints() ? this->Points->GetPoints()->GetData() : nullptr)
-    , HeightArray(std::in_place, FindHeights(filter, this->Points, run, "input"),
-        flipflop::WeightRule(), "height")
-    , Heights(this->HeightArray->GetView())
+    , Points(points)
+    , Given(filter, points, run, "input")
+    , All(this->Given.View)
   {
   }
 
-  static vtkDataArray* FindHeights(
-    vtkFFTerrainMeshFilter* filter, vtkDataSet* points, const FFRun& run, const char* owner)
-  {
-    return FFWeightSource::FindArray(filter, points, run.OfWhat(), owner, "height");
-  }
-
-  /// Let those of the source join.
-  void Join(FFConstraints& constraints, vtkPolyData* source)
-  {
-    this->Own.emplace(source->GetPoints() ? source->GetPoints()->GetData() : nullptr);
-    const FFWeightSource ownHeights(
-      FindHeights(this->Filter, source, this->Run, "source"), flipflop::WeightRule(), "height");
-    this->Given.emplace(this->Coordinates->GetView(), this->Heights);
-    this->Joining.emplace(this->Own->GetView(), ownHeights.GetView());
-    constraints.Join(this->Given->View, this->Joining->View, this->Run.Options);
-    if (this->Heights.data || ownHeights.GetView().data)
-    {
-      this->TakeHeights(constraints.GetJoinedPoints());
-    }
-    this->Points = constraints.AppendOwnPoints(this->Points, this->Run);
-    this->Coordinates.emplace(this->Points->GetPoints()->GetData());
-  }
+  std::optional<FFConstraints> Constraints;
 
   /// The mesh; errors of constraints name the source's cells.
-  flipflop::TerrainMesh Mesh(
-    const flipflop::ConstraintView& lines, const flipflop::TerrainMeshOptions& terrain) const
+  flipflop::TerrainMesh Mesh(vtkPolyData* source, const flipflop::TerrainMeshOptions& terrain)
   {
-    // Of polygons the sides alone.
-    return flipflop::terrainMesh(this->Coordinates->GetView(), this->Heights,
-      flipflop::ConstraintView(lines.ends, lines.count), terrain, this->Run.Options);
+    flipflop::TerrainMesh mesh;
+    const auto work = [&]
+    {
+      flipflop::ConstraintView lines;
+      if (this->Constraints)
+      {
+        this->Join(*this->Constraints, source);
+        lines = this->Constraints->GetView();
+        lines.sides = 0; // of polygons the sides alone
+      }
+      mesh = flipflop::terrainMesh(this->All, {}, lines, terrain, this->Run.Options);
+    };
+    FFConstraints::Do(this->Constraints, this->Run, work);
+    return mesh;
+  }
+
+  /// At how many points heights differ.
+  vtkIdType FindHeights(const flipflop::ConstrainedTriangulation& mesh)
+  {
+    return this->Constraints->FindHeights(this->Given.View, mesh, this->Run.Options);
   }
 
   /// Cells become an output, with their points and these points' data.
-  void Write(flipflop::CellComplex& cells, const std::optional<FFConstraints>& constraints,
-    vtkPolyData* output) const
+  void Write(flipflop::CellComplex& cells, vtkPolyData* output) const
   {
     std::vector<vtkSmartPointer<vtkDataArray>> marks;
-    if (constraints)
+    if (this->Constraints)
     {
-      marks = constraints->MarkPoints(cells.pointIds);
+      marks = this->Constraints->MarkPoints(cells.pointIds);
     }
     std::vector<FFOutput::Source> data;
     if (this->Filter->GetPassPointData())
     {
       data.push_back({ this->Points->GetPointData(), this->Points->GetNumberOfPoints() });
     }
-    FFOutput::Adopt(cells, *this->Coordinates, data, output);
+    FFOutput::Adopt(cells, FFPointSource(coordinatesOf(this->Points)), data, output);
     FFOutput::Renumber(
       output->GetPointData(), [this](vtkIdType id) { return this->Run.GetId(id); });
     if (this->Filter->GetVisiblePointIds())
@@ -150,16 +166,13 @@ public:
   }
 
   /// The points that are not kept, with their errors.
-  void WriteRest(flipflop::TerrainMesh& mesh, const std::optional<FFConstraints>& constraints,
-    vtkPolyData* output) const
+  void WriteRest(flipflop::TerrainMesh& mesh, vtkPolyData* output) const
   {
     vtkNew<vtkDoubleArray> errors;
     errors->SetName("TerrainError");
-    errors->SetNumberOfValues(static_cast<vtkIdType>(mesh.hiddenIds.size()));
-    for (std::size_t i = 0; i < mesh.hiddenIds.size(); ++i)
+    for (const std::int64_t id : mesh.hiddenIds)
     {
-      errors->SetValue(
-        static_cast<vtkIdType>(i), mesh.errors[static_cast<std::size_t>(mesh.hiddenIds[i])]);
+      errors->InsertNextValue(mesh.errors[static_cast<std::size_t>(id)]);
     }
     flipflop::CellComplex vertices;
     vertices.dimension = 0;
@@ -167,62 +180,72 @@ public:
     vertices.connectivity.allocate(mesh.hiddenIds.size());
     std::iota(vertices.connectivity.begin(), vertices.connectivity.end(), std::int64_t(0));
     vertices.pointIds = std::move(mesh.hiddenIds);
-    this->Write(vertices, constraints, output);
+    this->Write(vertices, output);
     output->GetPointData()->AddArray(errors);
   }
 
-  /// x, y and height of those that were given, once others have joined.
-  const flipflop::PointView& GetGiven() const { return this->Given->View; }
-
 private:
-  /// Heights of all points, where an array has them.
-  void TakeHeights(const flipflop::Buffer<std::int64_t>& joined)
+  /// Let the source's own points join, and split constraints where they cross: there is the height
+  /// that the first of them has.
+  void Join(FFConstraints& constraints, vtkPolyData* source)
   {
-    const std::int64_t given = this->Given->View.count;
-    this->AllHeights.allocate(static_cast<std::size_t>(given) + joined.size());
-    double* to = this->AllHeights.data();
-    for (std::int64_t i = 0; i < given; ++i)
+    const bool split = this->Filter->GetSplitCrossingConstraints();
+    const bool isOwn = constraints.HasOwnPoints();
+    if (!split && !isOwn)
     {
-      *to++ = this->Given->HeightOf(i);
+      return;
     }
-    for (const std::int64_t point : joined)
+    const flipflop::Options& options = this->Run.Options;
+    this->Run.SetPart(0.0, 0.2);
+    this->Lines.emplace(this->Filter, isOwn ? source : this->Points.GetPointer(), this->Run,
+      isOwn ? "source" : "input");
+    const flipflop::JoinedLines& joined = constraints.Join(
+      this->Given.GetPlane(options), this->Lines->GetPlane(options), this->Lines->View, options);
+    this->Points = constraints.AppendJoinedPoints(this->Points, this->Run);
+    flipflop::Buffer<double> positions;
+    if (split)
     {
-      *to++ = this->Joining->HeightOf(point);
+      positions = constraints.Split(joined.points(), options);
     }
-    this->Heights = flipflop::WeightView(
-      this->AllHeights.data(), static_cast<std::int64_t>(this->AllHeights.size()));
+    const auto count = static_cast<std::int64_t>(positions.size() / 2);
+    if (count > 0)
+    {
+      flipflop::ConstraintView lines = constraints.GetView();
+      lines.sides = 0;
+      this->FindHeights(
+        flipflop::constrainedTriangulation({ positions.data(), count, 2 }, lines, options));
+      this->Points = constraints.AppendNewPoints(
+        this->Points, positions.data(), true, this->Given.AreZ && this->Lines->AreZ, this->Run);
+    }
+
+    this->Memory.allocate(3 * static_cast<std::size_t>(this->Points->GetNumberOfPoints()));
+    double* to = this->Memory.data();
+    for (std::int64_t i = 0; i < this->Given.View.count; ++i)
+    {
+      to = this->Given.Copy(i, to);
+    }
+    for (const std::int64_t point : joined.added)
+    {
+      to = this->Lines->Copy(point, to);
+    }
+    const vtkIdType added = constraints.GetNumberOfNewPoints();
+    for (vtkIdType i = 0; i < added; ++i)
+    {
+      to = std::copy_n(positions.data() + 2 * (count - added + i), 2, to);
+      *to++ = constraints.GetNewHeight(i);
+    }
+    this->All = flipflop::PointView(this->Memory.data(), this->Points->GetNumberOfPoints());
+    this->Run.SetPart(0.2, 1.0);
   }
 
   vtkFFTerrainMeshFilter* const Filter;
   FFRun& Run;
   vtkSmartPointer<vtkPointSet> Points;
-  std::optional<FFPointSource> Coordinates;
-  std::optional<FFWeightSource> HeightArray;
-  flipflop::WeightView Heights; // none: z
-  flipflop::Buffer<double> AllHeights;
-  std::optional<FFPointSource> Own;
-  std::optional<HeightSpace> Given, Joining;
+  HeightSpace Given;
+  std::optional<HeightSpace> Lines; // whose points join
+  flipflop::PointView All;
+  flipflop::Buffer<double> Memory; // of these
 };
-
-/// The mesh, of the source's own points, too, if its cells name them; errors of constraints name
-/// its cells.
-flipflop::TerrainMesh meshOf(Survey& survey, std::optional<FFConstraints>& constraints,
-  vtkPolyData* source, const flipflop::TerrainMeshOptions& terrain, FFRun& run)
-{
-  flipflop::TerrainMesh mesh;
-  const auto work = [&]
-  {
-    if (constraints && constraints->HasOwnPoints())
-    {
-      run.SetPart(0.0, 0.2);
-      survey.Join(*constraints, source);
-      run.SetPart(0.2, 1.0);
-    }
-    mesh = survey.Mesh(constraints ? constraints->GetView() : flipflop::ConstraintView(), terrain);
-  };
-  FFConstraints::Do(constraints, run, work);
-  return mesh;
-}
 
 /// The limits that the filter's settings are.
 flipflop::TerrainMeshOptions optionsOf(vtkFFTerrainMeshFilter* filter)
@@ -244,14 +267,14 @@ flipflop::TerrainMeshOptions optionsOf(vtkFFTerrainMeshFilter* filter)
 void addToFieldData(
   const flipflop::TerrainMesh& mesh, const vtkFFReport& report, vtkFieldData* data)
 {
+  const auto add = [&](const char* name, std::int64_t value)
+  { FFOutput::AddValue(data, name, value); };
   FFOutput::AddValue(data, "FlipFlopTolerance", mesh.tolerance);
   FFOutput::AddValue(data, "FlipFlopGreatestError", mesh.greatestError);
-  FFOutput::AddValue(data, "FlipFlopPointsBeyond", mesh.beyond);
-  FFOutput::AddValue(data, "FlipFlopUnreachablePoints", mesh.unreachable);
-  FFOutput::AddValue(
-    data, "FlipFlopAddedPoints", static_cast<std::int64_t>(report.NumberOfAddedPoints));
-  FFOutput::AddValue(
-    data, "FlipFlopHeightDifferences", static_cast<std::int64_t>(report.NumberOfHeightDifferences));
+  add("FlipFlopPointsBeyond", mesh.beyond);
+  add("FlipFlopUnreachablePoints", mesh.unreachable);
+  add("FlipFlopAddedPoints", report.NumberOfAddedPoints);
+  add("FlipFlopHeightDifferences", report.NumberOfHeightDifferences);
 }
 
 }
@@ -264,9 +287,6 @@ vtkFFTerrainMeshFilter::vtkFFTerrainMeshFilter()
 }
 
 //------------------------------------------------------------------------------
-vtkFFTerrainMeshFilter::~vtkFFTerrainMeshFilter() = default;
-
-//------------------------------------------------------------------------------
 void vtkFFTerrainMeshFilter::Execute(vtkDataObject* data, vtkInformationVector** inputVector,
   const std::vector<vtkDataObject*>& results, FFRun& run)
 {
@@ -277,32 +297,32 @@ void vtkFFTerrainMeshFilter::Execute(vtkDataObject* data, vtkInformationVector**
   auto* const points = vtkDataSet::SafeDownCast(data);
   if (points)
   {
-    Survey::FindHeights(this, points, run, "input"); // before ghosts are left out
+    findHeights(this, points, run, "input"); // before ghosts are left out
   }
   FFInput input;
   input.Take(FFBlocks::PiecesOf(data), this->SkipGhostPoints, run);
-  Survey survey(this, input, run);
-  std::optional<FFConstraints> constraints;
+  Survey survey(this, input.GetPieces()[0], run);
   if (source)
   {
-    constraints.emplace(this->SourcePoints, source, points, run.Ids);
+    const FFConstraints::SettingsType settings{ this->SourcePoints, 2, false, true, true };
+    survey.Constraints.emplace(settings, source, points, run.Ids);
   }
-  flipflop::TerrainMesh mesh = meshOf(survey, constraints, source, terrain, run);
+  flipflop::TerrainMesh mesh = survey.Mesh(source, terrain);
   vtkFFReport& report = run.Report;
   report.GreatestError = mesh.greatestError;
   report.NumberOfPointsBeyond = static_cast<vtkIdType>(mesh.beyond);
   report.NumberOfUnreachablePoints = static_cast<vtkIdType>(mesh.unreachable);
-  if (constraints && constraints->HasOwnPoints())
+  if (source)
   {
+    report.NumberOfAddedPoints = survey.Constraints->GetNumberOfJoinedPoints();
+    report.NumberOfSplitPoints = survey.Constraints->GetNumberOfNewPoints();
     run.SetPart(1.0, 1.0); // for whoever asks it to stop
-    report.NumberOfAddedPoints = constraints->GetNumberOfJoinedPoints();
-    report.NumberOfHeightDifferences =
-      constraints->FindHeights(survey.GetGiven(), mesh, run.Options);
+    report.NumberOfHeightDifferences = survey.FindHeights(mesh);
   }
 
   vtkPolyData* const output = vtkPolyData::SafeDownCast(results[0]);
-  survey.WriteRest(mesh, constraints, vtkPolyData::SafeDownCast(results[1]));
-  survey.Write(mesh, constraints, output);
+  survey.WriteRest(mesh, vtkPolyData::SafeDownCast(results[1]));
+  survey.Write(mesh, output);
   run.AddToReport(mesh, output);
   if (this->ReportAsFieldData)
   {
@@ -317,5 +337,7 @@ void vtkFFTerrainMeshFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumNumberOfVertices: " << this->MaximumNumberOfVertices << "\n";
   os << indent << "SourcePoints: " << this->SourcePoints << "\n";
+  os << indent << "SplitCrossingConstraints: " << (this->SplitCrossingConstraints ? "On" : "Off")
+     << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -124,7 +124,7 @@ void testHeightsAndBreaklines()
   crossing->SetSourceData(makeConstraints({ { 0, 2 }, { 1, 3 } }));
   FF_CHECK(fails(crossing.Filter, vtkFFErrorCode::ConstraintError,
     { "An edge of cell 1 of the source crosses one of cell 0 of the source, and there is no point "
-      "where they do. Add one to the input and to both." }));
+      "where they do. Add one to the input and to both, or turn on Split Crossing Constraints." }));
   lines->RemoveSource();
   FF_CHECK((lines.Kept() == Ids{ 0, 1, 2, 3 }));
 }
@@ -155,14 +155,22 @@ struct SurveyCase
       this->Line.push_back(own);
     }
   }
-  vtkSmartPointer<vtkPolyData> Source() const
+  /// The line; and another one that crosses it.
+  vtkSmartPointer<vtkPolyData> Source(bool withAnother) const
   {
-    Ids line;
-    for (std::size_t i = 0; i < this->Line.size(); ++i)
+    std::vector<Point> points = this->Line;
+    Cells lines(1);
+    for (std::size_t i = 0; i < points.size(); ++i)
     {
-      line.push_back(static_cast<vtkIdType>(i));
+      lines[0].push_back(static_cast<vtkIdType>(i));
     }
-    return makeConstraints({ line }, {}, makePoints(this->Line)->GetPoints());
+    if (withAnother)
+    {
+      lines.push_back({ vtkIdType(points.size()), vtkIdType(points.size()) + 1 });
+      points.push_back({ 0.25, 31.5, 4 });
+      points.push_back({ 32.25, 0.75, 2 });
+    }
+    return makeConstraints(lines, {}, makePoints(points)->GetPoints());
   }
   std::vector<Point> Points, Line;
 };
@@ -197,13 +205,14 @@ double heightAbove(vtkPolyData* mesh, const Point& p)
 }
 
 /// All points are within the tolerance, and the mesh is the constrained triangulation of the points
-/// that it keeps and the line's.
-void testSurvey(unsigned int seed, double tolerance)
+/// that it keeps and the lines', also where these cross.
+void testSurvey(unsigned int seed, double tolerance, bool split)
 {
   const int before = failures();
   const SurveyCase survey(seed);
   Meshing run(makePoints(survey.Points), tolerance);
-  run->SetSourceData(survey.Source());
+  run->SetSourceData(survey.Source(split));
+  run->SetSplitCrossingConstraints(split);
   vtkPolyData* const mesh = run.Run();
   vtkPolyData* const rest = run->GetOutput(1);
   std::vector<Point> kept;
@@ -216,10 +225,13 @@ void testSurvey(unsigned int seed, double tolerance)
       kept.push_back(survey.Points[static_cast<std::size_t>(id)]);
     }
   }
-  FF_CHECK(added > 0 && run->GetNumberOfAddedPoints() == added);
+  const vtkIdType crossings = run->GetNumberOfSplitPoints();
+  FF_CHECK(added > 0 && run->GetNumberOfAddedPoints() + crossings == added);
+  FF_CHECK_EQUAL(split, crossings > 0);
   vtkNew<vtkFFRegularTriangulationFilter> ofKept;
   ofKept->SetInputData(makePoints(kept));
-  ofKept->SetSourceData(survey.Source());
+  ofKept->SetSourceData(survey.Source(split));
+  ofKept->SetSplitCrossingConstraints(split);
   ofKept->SetSourcePoints(vtkFFRegularTriangulationFilter::OWN_POINTS);
   ofKept->Update();
   mesh->GetPointData()->RemoveArray("vtkOriginalPointIds");
@@ -236,7 +248,8 @@ void testSurvey(unsigned int seed, double tolerance)
     Point p;
     rest->GetPoint(i, p.data());
     const double error = heightAbove(mesh, p);
-    FF_CHECK_EQUAL(error, errors->GetComponent(i, 0));
+    // Crossings are no integers.
+    FF_CHECK(std::abs(error - errors->GetComponent(i, 0)) <= (split ? 1e-12 : 0.0));
     beyond += std::abs(error) > tolerance ? 1 : 0;
   }
   FF_CHECK_EQUAL(beyond, run->GetNumberOfPointsBeyond());
@@ -286,7 +299,7 @@ void testOwnPoints()
   run->SetSourceData(makeConstraints({ { 0, 1 }, { 2, 3 } }, {},
     makePoints({ { 1, 1, 0 }, { 3, 3, 0 }, { 1, 3, 0 }, { 3, 1, 0 } })->GetPoints()));
   run.Fail("An edge of cell 1 of the source crosses one of cell 0 of the source, and there is no "
-           "point where they do. Add one to both.",
+           "point where they do. Add one to both, or turn on Split Crossing Constraints.",
     vtkFFErrorCode::ConstraintError);
   run->SetSourceData(makeConstraints(
     { { 0, 1 } }, {}, makePoints({ { 1, 1, 0 }, { 3, 3, notANumber } })->GetPoints()));
@@ -308,6 +321,49 @@ void testOwnPoints()
   Meshing skipping(ghosts, 10.0);
   skipping->SetSourceData(source);
   FF_CHECK((skipping.Kept() == Ids{ 0, 2, 3, 4, -1, -1 }));
+}
+
+/// Lines of the input's points that cross: there is the height of the first one.
+void testCrossing()
+{
+  const auto input =
+    makePoints({ { 0, 0, 0 }, { 4, 0, 2 }, { 4, 4, 4 }, { 0, 4, 6 }, { 2, 1, 9 } });
+  vtkNew<vtkDoubleArray> depth;
+  depth->SetName("depth");
+  for (const double value : { 0, 0, 8, 2, 0 })
+  {
+    depth->InsertNextValue(value);
+  }
+  input->GetPointData()->AddArray(depth);
+  Meshing run(input, 100.0);
+  run->SetSourceData(makeConstraints({ { 0, 2 }, { 1, 3 } }));
+  FF_CHECK(!run->GetSplitCrossingConstraints());
+  run->SplitCrossingConstraintsOn();
+  const auto check = [&](double z, double lowest, double highest)
+  {
+    FF_CHECK((run.Kept() == Ids{ 0, 1, 2, 3, -1 }));
+    Point x;
+    run->GetOutput()->GetPoint(4, x.data());
+    FF_CHECK((x == Point{ 2, 2, z }));
+    vtkPointData* const data = run->GetOutput()->GetPointData();
+    FF_CHECK_EQUAL(data->GetArray("PointOrigin")->GetComponent(4, 0), 2.0);
+    FF_CHECK_EQUAL(data->GetArray("depth")->GetComponent(4, 0), 4.0);
+    FF_CHECK_EQUAL(data->GetArray("HeightRange")->GetComponent(4, 0), lowest);
+    FF_CHECK_EQUAL(data->GetArray("HeightRange")->GetComponent(4, 1), highest);
+    FF_CHECK_EQUAL(run->GetNumberOfSplitPoints(), 1);
+    FF_CHECK_EQUAL(run->GetNumberOfAddedPoints(), 0);
+    FF_CHECK_EQUAL(run->GetNumberOfHeightDifferences(), 1);
+  };
+  check(2.0, 2.0, 4.0);
+  // 9 above the triangle of (0, 0, 0), (4, 0, 2) and (2, 2, 2), which is 1.5 there.
+  FF_CHECK_EQUAL(run->GetGreatestError(), 7.5);
+  run->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "depth");
+  check(2.0, 1.0, 4.0);
+  FF_CHECK_EQUAL(run->GetGreatestError(), 2.0);
+  // No crossing: the same as without the setting.
+  run->SetSourceData(makeConstraints({ { 0, 2 } }));
+  FF_CHECK((run.Kept() == Ids{ 0, 1, 2, 3 }));
+  FF_CHECK_EQUAL(run->GetNumberOfSplitPoints(), 0);
 }
 
 /// Their heights are those of the source's array of the same choice.
@@ -350,9 +406,10 @@ int TestFFTerrainMeshFilter(int, char*[])
   testHeightsAndBreaklines();
   for (unsigned int seed = 0; seed < 60; ++seed)
   {
-    testSurvey(seed, 0.5 * (seed % 7));
+    testSurvey(seed, 0.5 * (seed % 7), seed % 3 == 0);
   }
   testOwnPoints();
   testOwnHeights();
+  testCrossing();
   return result();
 }
