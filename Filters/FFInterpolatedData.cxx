@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -63,6 +64,12 @@ void demandFinite(const flipflop::PointView& points)
   }
 }
 
+/// What is 1 at all points, the last component, is NaN at null points alone.
+bool isNull(const double* values, std::size_t stride)
+{
+  return std::isnan(values[stride - 1]);
+}
+
 /// An array of float, if the other is, or of double; of so many tuples.
 vtkSmartPointer<vtkDataArray> makeLike(
   vtkDataArray* array, const char* name, int components, vtkIdType count)
@@ -84,6 +91,17 @@ vtkSmartPointer<vtkDataArray> makeLike(vtkDataArray* array, vtkIdType count)
   return made;
 }
 
+}
+
+//------------------------------------------------------------------------------
+void FFInterpolatedData::SettingsType::PrintSelf(ostream& os, vtkIndent indent) const
+{
+  os << indent << "InterpolationMode: " << this->Mode << "\n";
+  os << indent << "NullPointsStrategy: " << this->NullPointsStrategy << "\n";
+  os << indent << "NullValue: " << this->NullValue << "\n";
+  os << indent << "ValidPointsMaskArrayName: " << this->MaskName << "\n";
+  os << indent << "InterpolateZ: " << (this->InterpolateZ ? "On" : "Off") << "\n";
+  os << indent << "ZArrayName: " << this->ZName << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -111,23 +129,25 @@ void FFInterpolatedData::FindFields(
 }
 
 //------------------------------------------------------------------------------
-void FFInterpolatedData::SetValues(vtkPointSet* source, vtkPointData* data,
-  const std::vector<std::string>& excluded, const char* nameOfZ)
+FFInterpolatedData::FFInterpolatedData(const SettingsType& settings,
+  flipflop::TriangulationQueries&& queries, vtkPointSet* source, vtkPointData* data,
+  const std::vector<std::string>& excluded)
+  : Settings(settings)
+  , Queries(std::move(queries))
 {
   const vtkIdType count = source->GetNumberOfPoints();
-  this->Fields.clear();
   if (data)
   {
     this->FindFields(data, count, excluded);
   }
-  if (nameOfZ && source->GetPoints() && !(data && data->HasArray(nameOfZ)))
+  const char* const nameOfZ = settings.ZName.c_str();
+  if (settings.InterpolateZ && source->GetPoints() && !(data && data->HasArray(nameOfZ)))
   {
     vtkDataArray* const positions = source->GetPoints()->GetData();
     const auto heights = makeLike(positions, nameOfZ, 1, count);
     heights->CopyComponent(0, positions, 2);
     this->Fields.push_back({ heights, -1 });
   }
-  this->Components = 1;
   for (const FieldType& field : this->Fields)
   {
     this->Components += static_cast<std::size_t>(field.Array->GetNumberOfComponents());
@@ -150,43 +170,45 @@ void FFInterpolatedData::SetValues(vtkPointSet* source, vtkPointData* data,
 }
 
 //------------------------------------------------------------------------------
-FFInterpolatedData::TargetsType FFInterpolatedData::GetTargets(
-  const flipflop::PointView& points, int mode, FFRun& run) const
+void FFInterpolatedData::Interpolate(
+  const flipflop::PointView& points, FFRun& run, vtkPointData* output) const
 {
   if (run.Options.nonFinite == flipflop::NonFinitePolicy::Error)
   {
     demandFinite(points);
   }
   using Queries = flipflop::TriangulationQueries;
-  const auto query = mode == vtkFFPointInterpolator2D::NATURAL_NEIGHBOR
+  const auto query = this->Settings.Mode == vtkFFPointInterpolator2D::NATURAL_NEIGHBOR
     ? &Queries::interpolateNatural
-    : mode == vtkFFPointInterpolator2D::CLOUGH_TOCHER ? &Queries::interpolateCloughTocher
-                                                      : &Queries::interpolateLinear;
-  return { points.count, 1, pointsAtOnce,
-    [this, points, query, &run](std::int64_t begin, std::int64_t end, double* results)
+    : this->Settings.Mode == vtkFFPointInterpolator2D::CLOUGH_TOCHER
+    ? &Queries::interpolateCloughTocher
+    : &Queries::interpolateLinear;
+  const TargetsType targets{ points.count, 1, pointsAtOnce,
+    [&](std::int64_t begin, std::int64_t end, double* results)
     {
       (this->Queries.*query)(this->Values.data(), static_cast<std::int64_t>(this->Components),
         partOf(points, begin, end), results, run.Options);
     },
-    [points](std::int64_t i) { return positionAt(points, i); } };
+    [&](std::int64_t i) { return positionAt(points, i); } };
+  this->Interpolate(targets, run, output);
 }
 
 //------------------------------------------------------------------------------
-FFInterpolatedData::TargetsType FFInterpolatedData::GetTargets(
-  const flipflop::ImageGrid& grid, std::int64_t slices, int mode, FFRun& run) const
+void FFInterpolatedData::Interpolate(
+  const flipflop::ImageGrid& grid, std::int64_t slices, FFRun& run, vtkPointData* output) const
 {
   // All rows at once, unless that takes much memory: each time, all triangles are passed.
   constexpr std::int64_t numbersAtOnce = 1 << 25;
   const auto components = static_cast<std::int64_t>(this->Components);
   const std::int64_t columns = grid.size[0];
   using flipflop::Interpolation;
-  const auto method = mode == vtkFFPointInterpolator2D::NATURAL_NEIGHBOR ? Interpolation::Natural
-    : mode == vtkFFPointInterpolator2D::CLOUGH_TOCHER ? Interpolation::CloughTocher
-                                                      : Interpolation::Linear;
-  return { columns * grid.size[1], slices,
+  const auto method = this->Settings.Mode == vtkFFPointInterpolator2D::NATURAL_NEIGHBOR
+    ? Interpolation::Natural
+    : this->Settings.Mode == vtkFFPointInterpolator2D::CLOUGH_TOCHER ? Interpolation::CloughTocher
+                                                                     : Interpolation::Linear;
+  const TargetsType targets{ columns * grid.size[1], slices,
     columns * std::max<std::int64_t>(1, numbersAtOnce / (columns * components)),
-    [this, method, components, columns, grid, &run](
-      std::int64_t begin, std::int64_t end, double* results)
+    [&](std::int64_t begin, std::int64_t end, double* results)
     {
       flipflop::ImageGrid part = grid;
       part.firstIndex[1] += begin / columns;
@@ -194,22 +216,18 @@ FFInterpolatedData::TargetsType FFInterpolatedData::GetTargets(
       this->Queries.interpolateImage(method, this->Values.data(), components, part,
         flipflop::ImageView(results), std::nan(""), run.Options);
     },
-    [columns, grid](std::int64_t i) -> std::array<double, 2>
+    [&](std::int64_t i) -> std::array<double, 2>
     {
-      const std::int64_t index[] = { i % columns, i / columns };
-      std::array<double, 2> position;
-      for (std::size_t k = 0; k < 2; ++k)
-      {
-        position[k] =
-          grid.origin[k] + static_cast<double>(grid.firstIndex[k] + index[k]) * grid.spacing[k];
-      }
-      return position;
+      const auto at = [&](int k, std::int64_t index) {
+        return grid.origin[k] + static_cast<double>(grid.firstIndex[k] + index) * grid.spacing[k];
+      };
+      return { { at(0, i % columns), at(1, i / columns) } };
     } };
+  this->Interpolate(targets, run, output);
 }
 
 //------------------------------------------------------------------------------
-FFInterpolatedData::ArraysType FFInterpolatedData::MakeArrays(
-  vtkIdType count, const std::string& maskName) const
+FFInterpolatedData::ArraysType FFInterpolatedData::MakeArrays(vtkIdType count) const
 {
   // VTK's arrays would report a lack of memory by themselves.
   std::int64_t bytes = 1;
@@ -230,21 +248,21 @@ FFInterpolatedData::ArraysType FFInterpolatedData::MakeArrays(
     arrays.push_back(makeLike(field.Array, count));
   }
   arrays.push_back(vtkSmartPointer<vtkCharArray>::New());
-  arrays.back()->SetName(maskName.c_str());
+  arrays.back()->SetName(this->Settings.MaskName.c_str());
   arrays.back()->SetNumberOfTuples(count);
   return arrays;
 }
 
 //------------------------------------------------------------------------------
 void FFInterpolatedData::FindClosest(const TargetsType& targets, std::int64_t begin,
-  std::int64_t end, const flipflop::Options& options, flipflop::Buffer<double>& results) const
+  std::int64_t end, const flipflop::Options& options, double* results) const
 {
   const std::size_t stride = this->Components;
   std::vector<std::int64_t> nulls;
   std::vector<double> positions;
   for (std::int64_t i = begin; i < end; ++i)
   {
-    if (std::isnan(results[static_cast<std::size_t>(i - begin + 1) * stride - 1]))
+    if (isNull(results + static_cast<std::size_t>(i - begin) * stride, stride))
     {
       const auto position = targets.PositionOf(i);
       nulls.push_back(i - begin);
@@ -263,19 +281,20 @@ void FFInterpolatedData::FindClosest(const TargetsType& targets, std::int64_t be
     if (ids[k] >= 0)
     {
       std::copy_n(this->Values.data() + static_cast<std::size_t>(ids[k]) * stride, stride,
-        results.data() + static_cast<std::size_t>(nulls[k]) * stride);
+        results + static_cast<std::size_t>(nulls[k]) * stride);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-FFInterpolatedData::ArraysType FFInterpolatedData::Interpolate(
-  const TargetsType& targets, const NullsType& nulls, FFRun& run) const
+void FFInterpolatedData::Interpolate(
+  const TargetsType& targets, FFRun& run, vtkPointData* output) const
 {
-  ArraysType arrays =
-    this->MakeArrays(static_cast<vtkIdType>(targets.Count * targets.Slices), nulls.MaskName);
-  auto* const mask = vtkCharArray::SafeDownCast(arrays.back());
+  using Interpolator = vtkFFPointInterpolator2D;
+  const int strategy = this->Settings.NullPointsStrategy;
   const std::size_t stride = this->Components;
+  const ArraysType arrays =
+    this->MakeArrays(static_cast<vtkIdType>(targets.Count * targets.Slices));
   flipflop::Buffer<double> results(
     stride * static_cast<std::size_t>(std::min(targets.Count, targets.AtOnce)));
   for (std::int64_t begin = 0; begin < targets.Count; begin += targets.AtOnce)
@@ -284,40 +303,27 @@ FFInterpolatedData::ArraysType FFInterpolatedData::Interpolate(
     const double share = 1.0 / static_cast<double>(targets.Count);
     run.SetPart(share * static_cast<double>(begin), share * static_cast<double>(end));
     targets.Query(begin, end, results.data());
-    if (nulls.Strategy == vtkFFPointInterpolator2D::CLOSEST_POINT)
+    if (strategy == Interpolator::CLOSEST_POINT)
     {
-      this->FindClosest(targets, begin, end, run.Options, results);
+      this->FindClosest(targets, begin, end, run.Options, results.data());
     }
     double* values = results.data();
-    for (auto i = static_cast<vtkIdType>(begin); i < end; ++i)
+    for (std::int64_t i = begin; i < end; ++i, values += stride)
     {
-      // What is 1 at all points is NaN at null points alone.
-      const bool isNull = std::isnan(values[stride - 1]);
-      if (isNull)
-      {
-        std::fill_n(values, stride, nulls.Value);
-      }
+      const bool isValid = !isNull(values, stride);
+      std::fill_n(values, isValid ? 0 : stride - 1, this->Settings.NullValue);
+      values[stride - 1] = isValid ? 1.0 : 0.0; // the mask's
       for (std::int64_t slice = 0; slice < targets.Slices; ++slice)
       {
-        const auto point = static_cast<vtkIdType>(slice * targets.Count + i);
         const double* from = values;
-        mask->SetValue(point, isNull ? 0 : 1);
-        for (std::size_t k = 0; k < this->Fields.size(); ++k)
+        for (const auto& array : arrays)
         {
-          arrays[k]->SetTuple(point, from);
-          from += arrays[k]->GetNumberOfComponents();
+          array->SetTuple(static_cast<vtkIdType>(slice * targets.Count + i), from);
+          from += array->GetNumberOfComponents();
         }
       }
-      values += stride;
     }
   }
-  return arrays;
-}
-
-//------------------------------------------------------------------------------
-void FFInterpolatedData::AddArrays(
-  const ArraysType& arrays, const NullsType& nulls, vtkPointData* output) const
-{
   for (std::size_t k = 0; k < this->Fields.size(); ++k)
   {
     const int index = output->AddArray(arrays[k]);
@@ -326,7 +332,7 @@ void FFInterpolatedData::AddArrays(
       output->SetActiveAttribute(index, this->Fields[k].Attribute);
     }
   }
-  if (nulls.Strategy == vtkFFPointInterpolator2D::MASK_POINTS)
+  if (strategy == Interpolator::MASK_POINTS)
   {
     output->AddArray(arrays.back());
   }

@@ -3,15 +3,15 @@
 /**
  * The point data of a source at other positions, by its triangulation.
  *
- * FFInterpolatedData has a triangulation that is ready for queries, and the values of its
- * points. It makes the arrays of vtkFFPointInterpolator2D and vtkFFPointsToImage. Modes and
- * strategies are the enumerators of the former.
+ * FFInterpolatedData has a triangulation that is ready for queries, and the values of its points.
+ * It makes the arrays of vtkFFPointInterpolator2D and vtkFFPointsToImage.
  */
 
 #ifndef FFInterpolatedData_h
 #define FFInterpolatedData_h
 
 #include "vtkFFMarks.h"
+#include "vtkIndent.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -24,7 +24,6 @@
 #include <cstdint>
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -37,68 +36,61 @@ class FFInterpolatedData
 {
 public:
   /**
-   * What is given values: points, or the pixels of one slice of an image.
+   * The settings that both filters have. Modes and strategies are the enumerators of
+   * vtkFFPointInterpolator2D.
    */
-  struct TargetsType
+  struct SettingsType
   {
-    std::int64_t Count = 0;
-    std::int64_t Slices = 1; ///< that have the same values, one after the other
-    std::int64_t AtOnce = 1; ///< so many are asked about at once
-    std::function<void(std::int64_t begin, std::int64_t end, double* results)> Query;
-    std::function<std::array<double, 2>(std::int64_t i)> PositionOf;
-  };
+    template <class Filter>
+    explicit SettingsType(Filter* filter)
+      : Mode(filter->GetInterpolationMode())
+      , NullPointsStrategy(filter->GetNullPointsStrategy())
+      , NullValue(filter->GetNullValue())
+      , MaskName(filter->GetValidPointsMaskArrayName())
+      , InterpolateZ(filter->GetInterpolateZ())
+      , ZName(filter->GetZArrayName())
+    {
+    }
+    void PrintSelf(ostream& os, vtkIndent indent) const;
 
-  /**
-   * What targets get where nothing can be interpolated.
-   */
-  struct NullsType
-  {
-    int Strategy;
-    double Value;
+    int Mode;
+    int NullPointsStrategy;
+    double NullValue;
     std::string MaskName;
+    bool InterpolateZ;
+    std::string ZName;
   };
 
-  explicit FFInterpolatedData(flipflop::TriangulationQueries&& queries)
-    : Queries(std::move(queries))
-  {
-  }
+  ///@{
+  /**
+   * Of the progress of a run that prepares its source: until the triangulation is there, and until
+   * all is.
+   */
+  static constexpr double ShareOfTriangulation = 0.2;
+  static constexpr double ShareOfPreparing = 0.4;
+  ///@}
 
   /**
    * Copy the values of the points that were triangulated.
    *
    * @param data     theirs; null: none of it is interpolated
    * @param excluded names of arrays that are not
-   * @param nameOfZ  of the array of z; null: z is not interpolated, nor if an array has that name
    */
-  void SetValues(vtkPointSet* source, vtkPointData* data, const std::vector<std::string>& excluded,
-    const char* nameOfZ);
+  FFInterpolatedData(const SettingsType& settings, flipflop::TriangulationQueries&& queries,
+    vtkPointSet* source, vtkPointData* data, const std::vector<std::string>& excluded = {});
 
   ///@{
   /**
-   * The targets at these points, or at the pixels of these slices: those have the bits that they
-   * have as points, much sooner. Valid as long as all arguments and this object exist.
+   * Add the arrays of these points, or of the pixels of an image of so many slices, which have the
+   * bits that they have as points, much sooner. Attributes of the source become the output's.
    *
-   * @throw flipflop::Error NonFinite, unless the run ignores such points.
+   * @throw flipflop::Error as the queries; NonFinite, unless the run ignores such points;
+   *        OutOfMemory also for arrays that do not fit.
    */
-  TargetsType GetTargets(const flipflop::PointView& points, int mode, FFRun& run) const;
-  TargetsType GetTargets(
-    const flipflop::ImageGrid& grid, std::int64_t slices, int mode, FFRun& run) const;
+  void Interpolate(const flipflop::PointView& points, FFRun& run, vtkPointData* output) const;
+  void Interpolate(
+    const flipflop::ImageGrid& grid, std::int64_t slices, FFRun& run, vtkPointData* output) const;
   ///@}
-
-  using ArraysType = std::vector<vtkSmartPointer<vtkDataArray>>;
-
-  /**
-   * The arrays of the targets. The last one marks those that have values.
-   *
-   * @throw flipflop::Error as the queries; OutOfMemory also for arrays that do not fit.
-   */
-  ArraysType Interpolate(const TargetsType& targets, const NullsType& nulls, FFRun& run) const;
-
-  /**
-   * Add them to an output. Attributes of the source are the output's; the mask is added by
-   * MASK_POINTS alone.
-   */
-  void AddArrays(const ArraysType& arrays, const NullsType& nulls, vtkPointData* output) const;
 
 private:
   /// An array that is interpolated.
@@ -108,12 +100,26 @@ private:
     int Attribute; // that it is in the output; -1: none
   };
 
-  void FindFields(vtkPointData* data, vtkIdType count, const std::vector<std::string>& excluded);
-  ArraysType MakeArrays(vtkIdType count, const std::string& maskName) const;
-  void FindClosest(const TargetsType& targets, std::int64_t begin, std::int64_t end,
-    const flipflop::Options& options, flipflop::Buffer<double>& results) const;
+  /// What is given values: points, or the pixels of one slice of an image.
+  struct TargetsType
+  {
+    std::int64_t Count;
+    std::int64_t Slices; // that have the same values, one after the other
+    std::int64_t AtOnce; // so many are asked about at once
+    std::function<void(std::int64_t begin, std::int64_t end, double* results)> Query;
+    std::function<std::array<double, 2>(std::int64_t i)> PositionOf;
+  };
 
-  flipflop::TriangulationQueries Queries;
+  using ArraysType = std::vector<vtkSmartPointer<vtkDataArray>>;
+
+  void FindFields(vtkPointData* data, vtkIdType count, const std::vector<std::string>& excluded);
+  ArraysType MakeArrays(vtkIdType count) const; // the last one is the mask
+  void FindClosest(const TargetsType& targets, std::int64_t begin, std::int64_t end,
+    const flipflop::Options& options, double* results) const;
+  void Interpolate(const TargetsType& targets, FFRun& run, vtkPointData* output) const;
+
+  const SettingsType Settings;
+  const flipflop::TriangulationQueries Queries;
   std::vector<FieldType> Fields;
   std::size_t Components = 1;      // of all fields, and 1
   flipflop::Buffer<double> Values; // so many of each point

@@ -13,14 +13,10 @@
 #include <flipflop/RegularTriangulation.h>
 #include <flipflop/TriangulationQueries.h>
 
-#include "vtkAlgorithmOutput.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
-#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkMatrix3x3.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -30,29 +26,10 @@
 #include "vtkSmartPointer.h"
 
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkFFPointInterpolator2D);
-
-namespace
-{
-
-/// Of the progress of a run that prepares its source: until the triangulation is there, and until
-/// all is.
-constexpr double shareOfTriangulation = 0.2;
-constexpr double shareOfPreparing = 0.4;
-
-}
-
-/// The triangulation of a source's points, ready for queries, with their values.
-struct FFPreparedSource
-{
-  int Dimension;
-  FFInterpolatedData Data;
-};
 
 namespace
 {
@@ -119,45 +96,27 @@ double vtkFFPointInterpolator2D::Prepare(vtkDataObject* data, FFRun& run)
   const FFPointSource points(positions ? positions->GetData() : nullptr);
   const FFWeightSource weights(FFWeightSource::FindArray(this, source, run.OfWhat(), "source"),
     { this->WeightMode == RADII, this->WeightFactor });
-  run.SetPart(0.0, shareOfTriangulation);
+  run.SetPart(0.0, FFInterpolatedData::ShareOfTriangulation);
   const flipflop::Triangulation triangulation =
     flipflop::regularTriangulation(points.GetView(), weights.GetView(), run.Options);
-  run.SetPart(shareOfTriangulation, shareOfPreparing);
+  run.SetPart(FFInterpolatedData::ShareOfTriangulation, FFInterpolatedData::ShareOfPreparing);
   flipflop::TriangulationQueries queries(
     points.GetView(), weights.GetView(), triangulation, run.Options);
-  auto prepared = std::unique_ptr<FFPreparedSource>(
-    new FFPreparedSource{ triangulation.dimension, FFInterpolatedData(std::move(queries)) });
-  prepared->Data.SetValues(source, source->GetPointData(), this->ExcludedArrays,
-    this->InterpolateZ ? this->ZArrayName.c_str() : nullptr);
-  this->Prepared = std::move(prepared);
+  this->Prepared =
+    std::make_unique<const FFInterpolatedData>(FFInterpolatedData::SettingsType(this),
+      std::move(queries), source, source->GetPointData(), this->ExcludedArrays);
+  this->PreparedDimension = triangulation.dimension;
   this->SetPrepared(data);
   run.NonFiniteWhat = "A coordinate";
-  return shareOfPreparing;
+  return FFInterpolatedData::ShareOfPreparing;
 }
 
 //------------------------------------------------------------------------------
 void vtkFFPointInterpolator2D::Execute(vtkDataObject* data, vtkDataSet* result, FFRun& run)
 {
-  const FFInterpolatedData& prepared = this->Prepared->Data;
-  const FFInterpolatedData::NullsType nulls{ this->NullPointsStrategy, this->NullValue,
-    this->ValidPointsMaskArrayName };
-  FFInput input;
-  FFInterpolatedData::TargetsType targets;
-  flipflop::ImageGrid grid;
-  auto* const image = vtkImageData::SafeDownCast(data);
-  if (takeGrid(image, grid))
-  {
-    targets = prepared.GetTargets(grid, image->GetDimensions()[2], this->InterpolationMode, run);
-  }
-  else
-  {
-    input.Take(FFBlocks::PiecesOf(data), false, run);
-    targets = prepared.GetTargets(input.GetView(), this->InterpolationMode, run);
-  }
-  const auto arrays = prepared.Interpolate(targets, nulls, run);
   result->ShallowCopy(data);
-  const std::pair<bool, vtkFieldData*> passed[] = { { this->PassPointArrays,
-                                                      result->GetPointData() },
+  vtkPointData* const output = result->GetPointData();
+  const std::pair<bool, vtkFieldData*> passed[] = { { this->PassPointArrays, output },
     { this->PassCellArrays, result->GetCellData() },
     { this->PassFieldArrays, result->GetFieldData() } };
   for (const auto& one : passed)
@@ -167,8 +126,19 @@ void vtkFFPointInterpolator2D::Execute(vtkDataObject* data, vtkDataSet* result, 
       one.second->Initialize();
     }
   }
-  prepared.AddArrays(arrays, nulls, result->GetPointData());
-  run.Report.Dimension = this->Prepared->Dimension;
+  flipflop::ImageGrid grid;
+  auto* const image = vtkImageData::SafeDownCast(data);
+  if (takeGrid(image, grid))
+  {
+    this->Prepared->Interpolate(grid, image->GetDimensions()[2], run, output);
+  }
+  else
+  {
+    FFInput input;
+    input.Take(FFBlocks::PiecesOf(data), false, run);
+    this->Prepared->Interpolate(input.GetView(), run, output);
+  }
+  run.Report.Dimension = this->PreparedDimension;
 }
 
 //------------------------------------------------------------------------------
@@ -176,14 +146,9 @@ void vtkFFPointInterpolator2D::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const auto onOff = [](bool flag) { return flag ? "On" : "Off"; };
-  os << indent << "InterpolationMode: " << this->InterpolationMode << "\n";
+  FFInterpolatedData::SettingsType(this).PrintSelf(os, indent);
   os << indent << "WeightMode: " << this->WeightMode << "\n";
   os << indent << "WeightFactor: " << this->WeightFactor << "\n";
-  os << indent << "NullPointsStrategy: " << this->NullPointsStrategy << "\n";
-  os << indent << "NullValue: " << this->NullValue << "\n";
-  os << indent << "ValidPointsMaskArrayName: " << this->ValidPointsMaskArrayName << "\n";
-  os << indent << "InterpolateZ: " << onOff(this->InterpolateZ) << "\n";
-  os << indent << "ZArrayName: " << this->ZArrayName << "\n";
   os << indent << "ExcludedArrays: " << this->ExcludedArrays.size() << "\n";
   for (const std::string& name : this->ExcludedArrays)
   {

@@ -5,46 +5,29 @@
  * @brief   point data between points in the plane, by their triangulation
  *
  * vtkFFPointInterpolator2D gives the points of its input (port 0) values from a source (port 1):
- * points with point data. It is used as vtkPointInterpolator2D is: x and y of all points count, z
- * does not. Between the points of the source, values are interpolated over their Delaunay
- * triangulation. If weights are chosen, it is their regular triangulation, as
- * vtkFFRegularTriangulationFilter gives it:
+ * points with point data. It is used as vtkPointInterpolator2D is: x and y count, z does not.
+ * Between the points of the source, values are interpolated over their Delaunay triangulation; if
+ * weights are chosen, as for vtkFFPlanarAlgorithm but with
  *
  *     filter->SetInputArrayToProcess(
  *       0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weights");
  *
- * There are three ways to interpolate (see SetInterpolationMode()). All give a source point's own
- * value at its place, and reproduce linear functions up to rounding. Which triangle a point is in
- * is decided exactly, so the values do not depend on a tolerance, a radius, or a number of
- * neighbours.
+ * over their regular triangulation, without hidden points. Which triangle a point is in is decided
+ * exactly. At most 2^32 - 2 points can be given, about 5e8 in the source.
  *
  * The output is a shallow copy of the input with these point arrays, which take the place of the
  * input's arrays of the same names:
  *
- * - each point array of numbers of the source: as float if it is float,
- *   otherwise as double. Left out are vtkGhostType, global and pedigree
- *   ids, and excluded arrays (see AddExcludedArray()). Integers that no
- *   double holds are rounded.
- * - Elevation: the z of the source's points, if InterpolateZ is on, and
- *   if the source has no array of that name
- * - vtkValidPointMask (vtkCharArray): 1 for points that have values, 0
- *   for null points, if NullPointsStrategy is MASK_POINTS
- *
- * The source's active scalars, vectors, tensors and texture coordinates are active in the output.
- *
- * The points of a vtkImageData along the axes are found by triangles, which is much faster. Their
- * values are those that they have as points, bit for bit.
+ * - each point array of numbers of the source, as float if it is float, otherwise as double, but
+ *   vtkGhostType, global and pedigree ids, and excluded arrays: see AddExcludedArray(). Integers
+ *   that no double holds are rounded. Scalars, vectors, tensors and texture coordinates stay
+ * active.
+ * - Elevation: see SetInterpolateZ()
+ * - vtkValidPointMask (vtkCharArray): see SetNullPointsStrategy()
  *
  * A null point is one outside the convex hull of the source's points, where nothing can be
- * interpolated; see SetNullPointsStrategy(). If the source's points are on a line, so is their
- * hull. If the source has no points, all are null. So is a point that is not finite, if such points
- * are ignored.
- *
- * Source points that are hidden have no part in it: of points at one position, that of the greatest
- * weight counts, then that of the lowest id.
- *
- * @warning
- * At most 2^32 - 2 points can be given, about 5e8 in the source.
+ * interpolated: of points on a line, off the line. So is a point that is not finite, if such points
+ * are ignored. Points of a vtkImageData along the axes have the same bits much faster.
  *
  * @sa
  * vtkFFQueryAlgorithm vtkFFRegularTriangulationFilter vtkPointInterpolator2D vtkProbeFilter
@@ -64,25 +47,18 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;
 class vtkDataObject;
+class FFInterpolatedData;
 class FFRun;
-struct FFPreparedSource;
 
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPointInterpolator2D
   : public vtkFFQueryAlgorithm
 {
 public:
-  ///@{
-  /**
-   * Standard methods for instantiation, type information and printing.
-   */
   static vtkFFPointInterpolator2D* New();
   vtkTypeMacro(vtkFFPointInterpolator2D, vtkFFQueryAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
 
-  /**
-   * How values are interpolated.
-   */
+  /// How values are interpolated.
   enum InterpolationModeType
   {
     LINEAR = 0,
@@ -90,19 +66,14 @@ public:
     CLOUGH_TOCHER = 2
   };
 
-  /**
-   * What the values of the weights' array are.
-   */
+  /// What the values of the weights' array are.
   enum WeightModeType
   {
     WEIGHTS = 0,
     RADII = 1
   };
 
-  /**
-   * What to do at points where nothing can be interpolated. The values are those of
-   * vtkPointInterpolator.
-   */
+  /// What null points get. The values are those of vtkPointInterpolator.
   enum Strategy
   {
     MASK_POINTS = 0,
@@ -121,13 +92,14 @@ public:
 
   ///@{
   /**
-   * Set/Get how values are interpolated.
+   * Set/Get how values are interpolated. All modes give a source point's own value at its place,
+   * and reproduce linear functions up to rounding.
    *
    * - LINEAR (the default): linearly over each triangle
-   * - NATURAL_NEIGHBOR: by natural neighbours (Sibson). Values are
-   *   smooth but at the source's points, and do not depend on how points
-   *   of one circle are cut into triangles. It takes longer. (With
-   *   weights, values are continuous.)
+   * - NATURAL_NEIGHBOR: by natural neighbours (R. Sibson, 1981).
+   *   Values are smooth but at the source's points, and do not depend
+   *   on how points of one circle are cut into triangles. It takes
+   *   longer. (With weights, values are continuous.)
    * - CLOUGH_TOCHER: by a surface of cubic pieces over each triangle,
    *   with gradients that are estimated from the values around. Values
    *   and gradients are continuous. On smooth functions its error is the
@@ -155,27 +127,17 @@ public:
 
   ///@{
   /**
-   * Set/Get what null points get.
-   *
-   * - MASK_POINTS (the default): NullValue, and the mask array tells
-   *   which points these are
-   * - NULL_VALUE: NullValue. This is vtkPointInterpolator's default.
-   * - CLOSEST_POINT: the values of the closest point of the source (with
-   *   weights, by power distance). Points have NullValue only if there
-   *   is none, or if they are not finite.
+   * Set/Get what null points get: NullValue, and a mask array that is 0 there and 1 elsewhere
+   * (MASK_POINTS, the default); NullValue (NULL_VALUE, vtkPointInterpolator's default); or the
+   * values of the closest point of the source, with weights by power distance, and NullValue if
+   * there is none, or the null point is not finite (CLOSEST_POINT). The value is 0 by default, in
+   * all components (NaN is possible), the name of the mask array "vtkValidPointMask".
    */
   vtkSetClampMacro(NullPointsStrategy, int, MASK_POINTS, CLOSEST_POINT);
   vtkGetMacro(NullPointsStrategy, int);
   void SetNullPointsStrategyToMaskPoints() { this->SetNullPointsStrategy(MASK_POINTS); }
   void SetNullPointsStrategyToNullValue() { this->SetNullPointsStrategy(NULL_VALUE); }
   void SetNullPointsStrategyToClosestPoint() { this->SetNullPointsStrategy(CLOSEST_POINT); }
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the value of all components at null points (0 by default; NaN is possible), and the
-   * name of the mask array ("vtkValidPointMask" by default).
-   */
   vtkSetMacro(NullValue, double);
   vtkGetMacro(NullValue, double);
   vtkSetMacro(ValidPointsMaskArrayName, std::string);
@@ -185,7 +147,7 @@ public:
   ///@{
   /**
    * Set/Get whether the z of the source's points is interpolated, too (on by default), and the name
-   * of its array ("Elevation" by default).
+   * of its array ("Elevation" by default); not if the source has an array of that name.
    */
   vtkSetMacro(InterpolateZ, bool);
   vtkGetMacro(InterpolateZ, bool);
@@ -195,17 +157,14 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Name an array of the source that is not interpolated, or remove all such names.
-   */
+  /// Name an array of the source that is not interpolated, or remove all such names.
   void AddExcludedArray(const char* name);
   void ClearExcludedArrays();
   ///@}
 
   ///@{
   /**
-   * Set/Get whether the input's point data, cell data and field data are passed to the output. On
-   * by default.
+   * Set/Get whether the input's point data, cell data and field data are passed. On by default.
    */
   vtkSetMacro(PassPointArrays, bool);
   vtkGetMacro(PassPointArrays, bool);
@@ -243,7 +202,8 @@ private:
   vtkFFPointInterpolator2D(const vtkFFPointInterpolator2D&) = delete;
   void operator=(const vtkFFPointInterpolator2D&) = delete;
 
-  std::unique_ptr<FFPreparedSource> Prepared; ///< null: there is none
+  std::unique_ptr<const FFInterpolatedData> Prepared; ///< null: there is none
+  int PreparedDimension = -1;
 };
 VTK_ABI_NAMESPACE_END
 

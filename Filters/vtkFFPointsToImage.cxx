@@ -17,7 +17,6 @@
 #include <flipflop/TriangulationQueries.h>
 
 #include "vtkDataSet.h"
-#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -41,11 +40,6 @@ vtkStandardNewMacro(vtkFFPointsToImage);
 
 namespace
 {
-
-/// Of the progress of a run that prepares its points: until the triangulation is there, and until
-/// all is.
-constexpr double shareOfTriangulation = 0.2;
-constexpr double shareOfPreparing = 0.4;
 
 using Box = std::array<double, 4>; // of least x, greatest x, least y, greatest y
 
@@ -86,7 +80,7 @@ void checkSettings(vtkFFPointsToImage* filter, bool hasSource)
 }
 
 /// The pixels that cover a box, as the filter says.
-flipflop::ImageGrid gridOf(vtkFFPointsToImage* filter, const Box& box)
+flipflop::ImageGrid gridOf(vtkFFPointsToImage* filter, const double* box)
 {
   flipflop::ImageGrid grid;
   for (int k = 0; k < 2; ++k)
@@ -155,7 +149,7 @@ void setGeometry(const flipflop::ImageGrid& grid, const std::optional<flipflop::
 flipflop::TriangulationQueries queriesOf(const FFPlanarInput& input, vtkDataObject* data,
   vtkPolyData* source, std::optional<Box>& bounds, vtkDataObject* output, FFRun& run)
 {
-  run.SetPart(0.0, shareOfTriangulation);
+  run.SetPart(0.0, FFInterpolatedData::ShareOfTriangulation);
   flipflop::ConstrainedTriangulation triangulation;
   flipflop::Buffer<std::uint8_t> inside;
   if (source)
@@ -190,7 +184,7 @@ flipflop::TriangulationQueries queriesOf(const FFPlanarInput& input, vtkDataObje
   }
   input.Report(
     triangulation, static_cast<std::int64_t>(triangulation.hiddenIds.size()), std::nullopt, output);
-  run.SetPart(shareOfTriangulation, shareOfPreparing);
+  run.SetPart(FFInterpolatedData::ShareOfTriangulation, FFInterpolatedData::ShareOfPreparing);
   return source
     ? flipflop::TriangulationQueries(input.GetPlane(), triangulation, inside.data(), run.Options)
     : flipflop::TriangulationQueries(
@@ -203,15 +197,6 @@ vtkFFPointsToImage::vtkFFPointsToImage()
   : NullValue(vtkMath::Nan())
 {
   this->SetNumberOfInputPorts(2);
-}
-
-//------------------------------------------------------------------------------
-vtkFFPointsToImage::~vtkFFPointsToImage() = default;
-
-//------------------------------------------------------------------------------
-vtkImageData* vtkFFPointsToImage::GetOutput()
-{
-  return this->GetOutput(0);
 }
 
 //------------------------------------------------------------------------------
@@ -233,9 +218,7 @@ int vtkFFPointsToImage::RequestInformation(
     checkSettings(this, false);
     if (!this->UseInputBounds)
     {
-      Box box;
-      std::copy_n(this->SamplingBounds, 4, box.begin());
-      const flipflop::ImageGrid grid = gridOf(this, box);
+      const flipflop::ImageGrid grid = gridOf(this, this->SamplingBounds);
       extent = extentOf(grid.size[0], grid.size[1]);
       if (this->ProjectionPlaneMode != BEST_FITTING_PLANE)
       {
@@ -283,25 +266,19 @@ void vtkFFPointsToImage::Execute(vtkDataObject* data, vtkInformationVector** inp
   checkSettings(this, source != nullptr);
   FFPlanarInput input(this, run);
   input.Take(data);
-  std::optional<Box> bounds; // none: there is no point
-  FFInterpolatedData values(queriesOf(input, data, source, bounds, output, run));
   vtkPointSet* const points = input.GetPoints();
-  values.SetValues(points, this->PassPointData ? points->GetPointData() : nullptr, {},
-    this->InterpolateZ ? this->ZArrayName.c_str() : nullptr);
-  Box box;
-  std::copy_n(this->SamplingBounds, 4, box.begin());
-  if (this->UseInputBounds && !bounds)
+  std::optional<Box> bounds; // none: there is no point
+  const FFInterpolatedData values(FFInterpolatedData::SettingsType(this),
+    queriesOf(input, data, source, bounds, output, run), points,
+    this->PassPointData ? points->GetPointData() : nullptr);
+  const double* const given = bounds ? bounds->data() : nullptr;
+  if (const double* const box = this->UseInputBounds ? given : this->SamplingBounds)
   {
-    return;
+    const flipflop::ImageGrid grid = gridOf(this, box);
+    run.SetBegin(FFInterpolatedData::ShareOfPreparing);
+    values.Interpolate(grid, 1, run, output->GetPointData());
+    setGeometry(grid, input.GetFittedPlane(), output);
   }
-  const flipflop::ImageGrid grid = gridOf(this, this->UseInputBounds ? *bounds : box);
-  const FFInterpolatedData::NullsType nulls{ this->NullPointsStrategy, this->NullValue,
-    this->ValidPointsMaskArrayName };
-  run.SetBegin(shareOfPreparing);
-  const auto targets = values.GetTargets(grid, 1, this->InterpolationMode, run);
-  const auto arrays = values.Interpolate(targets, nulls, run);
-  setGeometry(grid, input.GetFittedPlane(), output);
-  values.AddArrays(arrays, nulls, output->GetPointData());
 }
 
 //------------------------------------------------------------------------------
@@ -330,19 +307,13 @@ int vtkFFPointsToImage::RequestData(
 void vtkFFPointsToImage::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto onOff = [](bool flag) { return flag ? "On" : "Off"; };
   os << indent << "SizeMode: " << this->SizeMode << "\n";
   os << indent << "Dimensions: " << pairOf(this->Dimensions) << "\n";
   os << indent << "Spacing: " << pairOf(this->Spacing) << "\n";
-  os << indent << "UseInputBounds: " << onOff(this->UseInputBounds) << "\n";
+  os << indent << "UseInputBounds: " << (this->UseInputBounds ? "On" : "Off") << "\n";
+  FFInterpolatedData::SettingsType(this).PrintSelf(os, indent);
   const double* const box = this->SamplingBounds;
   os << indent << "SamplingBounds: (" << box[0] << ", " << box[1] << ", " << box[2] << ", "
      << box[3] << ")\n";
-  os << indent << "InterpolationMode: " << this->InterpolationMode << "\n";
-  os << indent << "NullPointsStrategy: " << this->NullPointsStrategy << "\n";
-  os << indent << "NullValue: " << this->NullValue << "\n";
-  os << indent << "ValidPointsMaskArrayName: " << this->ValidPointsMaskArrayName << "\n";
-  os << indent << "InterpolateZ: " << onOff(this->InterpolateZ) << "\n";
-  os << indent << "ZArrayName: " << this->ZArrayName << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -8,38 +8,20 @@
  * points, values are interpolated over their Delaunay triangulation in a plane; if weights are
  * chosen, over their regular triangulation: see vtkFFPlanarAlgorithm. Cells of the input are
  * ignored. Which triangle a pixel is in is decided exactly. The values are those of
- * vtkFFPointInterpolator2D at the image's points, bit for bit, for any number of threads; so they
- * are those of Python's to_image(), whose rows are counted from the other end, where that rounds
- * nothing.
+ * vtkFFPointInterpolator2D at the image's points, bit for bit, and those of Python's to_image(),
+ * whose rows are counted from the other end, where that rounds nothing.
  *
- * The image has these point arrays:
- *
- * - each point array of numbers of the input, if PassPointData is on:
- *   as float if it is float, otherwise as double. Left out are
- *   vtkGhostType, global and pedigree ids. Integers that no double
- *   holds are rounded.
- * - Elevation: the z of the input's points, if InterpolateZ is on and no
- *   array has that name
- * - vtkValidPointMask (vtkCharArray): 1 for pixels that have values, 0
- *   for null pixels, if NullPointsStrategy is MASK_POINTS
- *
- * The input's active scalars, vectors, tensors and texture coordinates are active in the output.
+ * The image has the point arrays that vtkFFPointInterpolator2D makes of this source; those of the
+ * points' data if PassPointData is on. SetFacetMode(), SetVisiblePointIds() and
+ * SetGenerateCellMeasures() have no effect.
  *
  * The points of the image are the centers of its pixels. With x along columns and y along rows, the
  * image is at z = 0 for XY_PLANE, and in the transform's coordinates for TRANSFORM_PLANE. For
  * BEST_FITTING_PLANE, it lies in that plane, by its direction matrix.
  *
- * A null pixel is one outside the convex hull of the points, where nothing can be interpolated. If
- * all points are on a line, so is their hull. Without a point, the output is empty, or of bounds
- * that are given has null pixels alone.
- *
- * The second input, if there is one, has breaklines as lines and polygons of the input's points:
- * their sides are edges of the triangulation. Pixels outside the polygons, by the even-odd rule,
- * are null. Breaklines that cross between points are an error. The outputs 0 and 3 of
- * vtkFFRegularTriangulationFilter, which splits them and takes points of their own, are such a pair
- * of inputs.
- *
- * SetFacetMode(), SetVisiblePointIds() and SetGenerateCellMeasures() have no effect.
+ * A null pixel is one outside the convex hull of the points, or outside the polygons of the source,
+ * where nothing can be interpolated. Without a point, the output is empty, or of bounds that are
+ * given has null pixels alone.
  *
  * The whole extent is known before the data by dimensions, and by a spacing if the bounds are
  * given. Otherwise it is empty until the filter has run.
@@ -55,7 +37,6 @@
 #include "vtkFFPlanarAlgorithm.h"
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 
-#include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -65,27 +46,18 @@ class vtkImageData;
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPointsToImage : public vtkFFPlanarAlgorithm
 {
 public:
-  ///@{
-  /**
-   * Standard methods for instantiation, type information and printing.
-   */
   static vtkFFPointsToImage* New();
   vtkTypeMacro(vtkFFPointsToImage, vtkFFPlanarAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  ///@}
 
-  /**
-   * What the size of the image is given by.
-   */
+  /// What the size of the image is given by.
   enum SizeModeType
   {
     SIZE_BY_DIMENSIONS = 0,
     SIZE_BY_SPACING = 1
   };
 
-  /**
-   * How values are interpolated. The values are those of vtkFFPointInterpolator2D.
-   */
+  /// How values are interpolated, as vtkFFPointInterpolator2D.
   enum InterpolationModeType
   {
     LINEAR = 0,
@@ -93,10 +65,7 @@ public:
     CLOUGH_TOCHER = 2
   };
 
-  /**
-   * What to do at pixels where nothing can be interpolated. The values are those of
-   * vtkPointInterpolator.
-   */
+  /// What null pixels get, as vtkFFPointInterpolator2D.
   enum Strategy
   {
     MASK_POINTS = 0,
@@ -108,16 +77,19 @@ public:
   /**
    * Get the output; its type is not that of the superclass.
    */
-  vtkImageData* GetOutput();
+  vtkImageData* GetOutput() { return this->GetOutput(0); }
   vtkImageData* GetOutput(int port);
   ///@}
 
   ///@{
   /**
-   * Set/Get the second input, on port 1: the breaklines. None by default. Their point ids are those
-   * of the input. The source has no points, or at the ids that its cells name those of the input;
-   * for XY_PLANE, z may differ. With a source, weights, the CUDA engine, NATURAL_NEIGHBOR and
-   * CLOSEST_POINT are errors.
+   * Set/Get the second input, on port 1: breaklines, as lines and polygons whose sides are edges of
+   * the triangulation. Polygons keep what is inside by the even-odd rule. None by default. Their
+   * point ids are those of the input. The source has no points, or at the ids that its cells name
+   * those of the input; for XY_PLANE, z may differ. With a source, weights, the CUDA engine,
+   * NATURAL_NEIGHBOR and CLOSEST_POINT are errors. So are breaklines that cross between points: the
+   * outputs 0 and 3 of vtkFFRegularTriangulationFilter, which splits them and takes points of their
+   * own, are such a pair of inputs.
    */
   void SetSourceData(vtkDataObject* source) { this->SetInputData(1, source); }
   void SetSourceConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
@@ -127,13 +99,10 @@ public:
 
   ///@{
   /**
-   * Set/Get what the size of the image is given by.
-   *
-   * - SIZE_BY_DIMENSIONS (the default): the numbers of pixels, which
-   *   divide the bounds
-   * - SIZE_BY_SPACING: the lengths of a pixel. Pixels begin at the least
-   *   x and at the greatest y of the bounds; as many as cover these, but
-   *   for a millionth of a pixel, as rounding leaves it
+   * Set/Get what the size of the image is given by: the numbers of pixels, which divide the bounds
+   * (SIZE_BY_DIMENSIONS, the default), or the lengths of a pixel (SIZE_BY_SPACING). Then pixels
+   * begin at the least x and at the greatest y of the bounds; as many as cover these, but for a
+   * millionth of a pixel, as rounding leaves it.
    */
   vtkSetClampMacro(SizeMode, int, SIZE_BY_DIMENSIONS, SIZE_BY_SPACING);
   vtkGetMacro(SizeMode, int);
@@ -143,39 +112,30 @@ public:
 
   ///@{
   /**
-   * Set/Get the numbers of pixels along x and y, for SIZE_BY_DIMENSIONS. (256, 256) by default.
-   * Numbers below 1 are an error.
+   * Set/Get the numbers of pixels along x and y, for SIZE_BY_DIMENSIONS: (256, 256) by default; one
+   * below 1 is an error. And the lengths of a pixel along x and y, in the unit of the points'
+   * coordinates, for SIZE_BY_SPACING: (1, 1) by default; one that is not finite, not above 0 or
+   * makes more than 2^31 - 1 pixels is an error.
    */
   vtkSetVector2Macro(Dimensions, int);
   vtkGetVector2Macro(Dimensions, int);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the lengths of a pixel along x and y, in the unit of the points' coordinates, for
-   * SIZE_BY_SPACING. (1, 1) by default. What is not finite or not above 0 is an error; so is a
-   * spacing that makes more than 2^31 - 1 pixels along an axis.
-   */
   vtkSetVector2Macro(Spacing, double);
   vtkGetVector2Macro(Spacing, double);
   ///@}
 
   ///@{
   /**
-   * Set/Get whether the image's bounds are those of the points that appear in the triangulation, in
-   * the plane. On by default. If these have no extent along x or y, the bounds have the extent of
-   * the other direction, half of it on either side. A single position gets bounds of side 1.
+   * Set/Get whether the image's bounds, the outer sides of the outer pixels, are those of the
+   * points that appear in the triangulation, in the plane. On by default. If these have no extent
+   * along x or y, the bounds have the extent of the other direction, half of it on either side. A
+   * single position gets bounds of side 1.
+   *
+   * If off, they are SamplingBounds, (xmin, xmax, ymin, ymax) in the plane: (0, 1, 0, 1) by
+   * default. What is not finite or has no inside is an error.
    */
   vtkSetMacro(UseInputBounds, bool);
   vtkGetMacro(UseInputBounds, bool);
   vtkBooleanMacro(UseInputBounds, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the bounds if UseInputBounds is off, (xmin, xmax, ymin, ymax) in the plane: the outer
-   * sides of the outer pixels. (0, 1, 0, 1) by default. They must be finite and have an inside.
-   */
   vtkSetVector4Macro(SamplingBounds, double);
   vtkGetVector4Macro(SamplingBounds, double);
   ///@}
@@ -194,26 +154,15 @@ public:
 
   ///@{
   /**
-   * Set/Get what null pixels get.
-   *
-   * - MASK_POINTS (the default): NullValue, and the mask array marks
-   *   these pixels
-   * - NULL_VALUE: NullValue
-   * - CLOSEST_POINT: the values of the closest point (with weights, by
-   *   power distance)
+   * Set/Get what null pixels get, MASK_POINTS by default; the value of all components there (NaN by
+   * default); and the name of the mask array ("vtkValidPointMask" by default), all as
+   * vtkFFPointInterpolator2D::SetNullPointsStrategy() says.
    */
   vtkSetClampMacro(NullPointsStrategy, int, MASK_POINTS, CLOSEST_POINT);
   vtkGetMacro(NullPointsStrategy, int);
   void SetNullPointsStrategyToMaskPoints() { this->SetNullPointsStrategy(MASK_POINTS); }
   void SetNullPointsStrategyToNullValue() { this->SetNullPointsStrategy(NULL_VALUE); }
   void SetNullPointsStrategyToClosestPoint() { this->SetNullPointsStrategy(CLOSEST_POINT); }
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the value of all components at null pixels (NaN by default), and the name of the mask
-   * array ("vtkValidPointMask" by default).
-   */
   vtkSetMacro(NullValue, double);
   vtkGetMacro(NullValue, double);
   vtkSetMacro(ValidPointsMaskArrayName, std::string);
@@ -223,7 +172,7 @@ public:
   ///@{
   /**
    * Set/Get whether the z of the input's points is interpolated, too (on by default), and the name
-   * of its array ("Elevation" by default).
+   * of its array ("Elevation" by default); not if the input has an array of that name.
    */
   vtkSetMacro(InterpolateZ, bool);
   vtkGetMacro(InterpolateZ, bool);
@@ -234,7 +183,7 @@ public:
 
 protected:
   vtkFFPointsToImage();
-  ~vtkFFPointsToImage() override;
+  ~vtkFFPointsToImage() override = default;
 
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
