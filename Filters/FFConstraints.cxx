@@ -307,12 +307,6 @@ vtkIdType FFConstraints::FindHeights(flipflop::PointView points,
 }
 
 //------------------------------------------------------------------------------
-double FFConstraints::GetNewHeight(vtkIdType i) const
-{
-  return this->Heights->added[static_cast<std::size_t>(this->GetNumberOfJoinedPoints() + i)];
-}
-
-//------------------------------------------------------------------------------
 std::vector<vtkSmartPointer<vtkDataArray>> FFConstraints::MarkPoints(
   const flipflop::Buffer<std::int64_t>& ids) const
 {
@@ -344,36 +338,6 @@ std::vector<vtkSmartPointer<vtkDataArray>> FFConstraints::MarkPoints(
     return { origins };
   }
   return { origins, ranges };
-}
-
-//------------------------------------------------------------------------------
-flipflop::ConstraintView FFConstraints::GetWhole() const
-{
-  return { this->Ends.data(), static_cast<std::int64_t>(this->CellIds.size()), this->Sides };
-}
-
-//------------------------------------------------------------------------------
-flipflop::ConstraintView FFConstraints::GetView() const
-{
-  return this->Pieces ? this->Pieces->view() : this->GetUnsplit();
-}
-
-//------------------------------------------------------------------------------
-flipflop::ConstraintView FFConstraints::GetUnsplit() const
-{
-  return this->Joined ? this->Joined->view() : this->GetWhole();
-}
-
-//------------------------------------------------------------------------------
-vtkIdType FFConstraints::GetNumberOfJoinedPoints() const
-{
-  return this->Joined ? static_cast<vtkIdType>(this->Joined->added.size()) : 0;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType FFConstraints::GetNumberOfNewPoints() const
-{
-  return this->Pieces ? static_cast<vtkIdType>(this->Pieces->newPointCount()) : 0;
 }
 
 //------------------------------------------------------------------------------

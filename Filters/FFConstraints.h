@@ -21,6 +21,7 @@
 #include <flipflop/ConstraintCrossings.h>
 #include <flipflop/JoinedLines.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -73,7 +74,10 @@ public:
   /**
    * The constraints, or their pieces after Split(); valid as long as this object exists.
    */
-  flipflop::ConstraintView GetView() const;
+  flipflop::ConstraintView GetView() const
+  {
+    return this->Pieces ? this->Pieces->view() : this->GetUnsplit();
+  }
 
   /**
    * Whether the cells name points of the source, and not of the input.
@@ -106,8 +110,14 @@ public:
   /**
    * How many points are new: of the source, and where constraints cross.
    */
-  vtkIdType GetNumberOfJoinedPoints() const;
-  vtkIdType GetNumberOfNewPoints() const;
+  vtkIdType GetNumberOfJoinedPoints() const
+  {
+    return this->Joined ? static_cast<vtkIdType>(this->Joined->added.size()) : 0;
+  }
+  vtkIdType GetNumberOfNewPoints() const
+  {
+    return this->Pieces ? static_cast<vtkIdType>(this->Pieces->newPointCount()) : 0;
+  }
   ///@}
 
   /**
@@ -135,7 +145,10 @@ public:
    */
   vtkIdType FindHeights(flipflop::PointView points,
     const flipflop::ConstrainedTriangulation& triangulation, const flipflop::Options& options);
-  double GetNewHeight(vtkIdType i) const; ///< of one of those where constraints cross
+  double GetNewHeight(vtkIdType i) const ///< of one of those where constraints cross
+  {
+    return this->Heights->added[static_cast<std::size_t>(this->GetNumberOfJoinedPoints() + i)];
+  }
 
   /**
    * Arrays for points of these ids, if Join() was called: PointOrigin, and HeightRange if heights
@@ -176,8 +189,14 @@ private:
   void CheckOwnPoint(vtkIdType point, vtkIdType cell) const;
   void CheckPoint(vtkIdType point, vtkIdType cell) const;
   std::string Describe(const flipflop::Error& error, const FFRun& run) const;
-  flipflop::ConstraintView GetWhole() const;
-  flipflop::ConstraintView GetUnsplit() const;
+  flipflop::ConstraintView GetWhole() const
+  {
+    return { this->Ends.data(), static_cast<std::int64_t>(this->CellIds.size()), this->Sides };
+  }
+  flipflop::ConstraintView GetUnsplit() const
+  {
+    return this->Joined ? this->Joined->view() : this->GetWhole();
+  }
 
   const SettingsType Settings;
   vtkPolyData* const Source;

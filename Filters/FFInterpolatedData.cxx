@@ -24,6 +24,12 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
+using Interpolator = vtkFFPointInterpolator2D;
+static_assert(int(flipflop::Interpolation::Linear) == Interpolator::LINEAR &&
+    int(flipflop::Interpolation::Natural) == Interpolator::NATURAL_NEIGHBOR &&
+    int(flipflop::Interpolation::CloughTocher) == Interpolator::CLOUGH_TOCHER,
+  "modes are the engine's");
+
 /// So many points are asked about at once: their values are twice in memory.
 constexpr std::int64_t pointsAtOnce = 1 << 18;
 
@@ -178,11 +184,9 @@ void FFInterpolatedData::Interpolate(
     demandFinite(points);
   }
   using Queries = flipflop::TriangulationQueries;
-  const auto query = this->Settings.Mode == vtkFFPointInterpolator2D::NATURAL_NEIGHBOR
-    ? &Queries::interpolateNatural
-    : this->Settings.Mode == vtkFFPointInterpolator2D::CLOUGH_TOCHER
-    ? &Queries::interpolateCloughTocher
-    : &Queries::interpolateLinear;
+  constexpr decltype(&Queries::interpolateLinear) queries[] = { &Queries::interpolateLinear,
+    &Queries::interpolateNatural, &Queries::interpolateCloughTocher };
+  const auto query = queries[this->Settings.Mode];
   const TargetsType targets{ points.count, 1, pointsAtOnce,
     [&](std::int64_t begin, std::int64_t end, double* results)
     {
@@ -201,11 +205,7 @@ void FFInterpolatedData::Interpolate(
   constexpr std::int64_t numbersAtOnce = 1 << 25;
   const auto components = static_cast<std::int64_t>(this->Components);
   const std::int64_t columns = grid.size[0];
-  using flipflop::Interpolation;
-  const auto method = this->Settings.Mode == vtkFFPointInterpolator2D::NATURAL_NEIGHBOR
-    ? Interpolation::Natural
-    : this->Settings.Mode == vtkFFPointInterpolator2D::CLOUGH_TOCHER ? Interpolation::CloughTocher
-                                                                     : Interpolation::Linear;
+  const auto method = static_cast<flipflop::Interpolation>(this->Settings.Mode);
   const TargetsType targets{ columns * grid.size[1], slices,
     columns * std::max<std::int64_t>(1, numbersAtOnce / (columns * components)),
     [&](std::int64_t begin, std::int64_t end, double* results)
@@ -290,7 +290,6 @@ void FFInterpolatedData::FindClosest(const TargetsType& targets, std::int64_t be
 void FFInterpolatedData::Interpolate(
   const TargetsType& targets, FFRun& run, vtkPointData* output) const
 {
-  using Interpolator = vtkFFPointInterpolator2D;
   const int strategy = this->Settings.NullPointsStrategy;
   const std::size_t stride = this->Components;
   const ArraysType arrays =

@@ -44,8 +44,11 @@ class FFRun;
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFAlgorithm : public vtkPolyDataAlgorithm
 {
 public:
+  ///@{
+  /// Standard methods for type information and printing.
   vtkAbstractTypeMacro(vtkFFAlgorithm, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   /// The engines. ENGINE_NONE is what GetEngineUsed() returns before a run.
   enum EngineType
@@ -89,7 +92,7 @@ public:
    * - ENGINE_CPU: the CPU engine.
    * - ENGINE_CUDA: CUDA for any size; if it is not available or fails,
    *   that is an error. The CPU engine still does points that span too
-   *   little, and coordinates that only integers of any size decide.
+   *   little, and coordinates that only large integers decide.
    *
    * With VTK 9.6 or later, CUDA reads a single array of float or double in place if it is on the
    * current device (a vtkmDataArray can be). The host reads the array, too.

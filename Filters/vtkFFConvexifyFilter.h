@@ -40,9 +40,12 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFConvexifyFilter : public vtkFFHullAlgorithm
 {
 public:
+  ///@{
+  /// Standard methods for instantiation, type information and printing.
   static vtkFFConvexifyFilter* New();
   vtkTypeMacro(vtkFFConvexifyFilter, vtkFFHullAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   /**
    * Set the engine: ENGINE_AUTOMATIC or ENGINE_CPU, to which ENGINE_CUDA is clamped.

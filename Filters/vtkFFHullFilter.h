@@ -43,9 +43,12 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFHullFilter : public vtkFFHullAlgorithm
 {
 public:
+  ///@{
+  /// Standard methods for instantiation, type information and printing.
   static vtkFFHullFilter* New();
   vtkTypeMacro(vtkFFHullFilter, vtkFFHullAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   /// What a composite input gives.
   enum CompositeModeType

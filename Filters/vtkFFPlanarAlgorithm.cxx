@@ -26,19 +26,7 @@ void vtkFFPlanarAlgorithm::SetTransform(vtkAbstractTransform* transform)
 //------------------------------------------------------------------------------
 void vtkFFPlanarAlgorithm::StoreTransform(vtkAbstractTransform* transform)
 {
-  if (transform)
-  {
-    transform->Register(this);
-  }
-  if (this->Transform)
-  {
-    this->Transform->UnRegister(this);
-  }
-  if (this->Transform != transform)
-  {
-    this->Transform = transform;
-    this->Modified();
-  }
+  vtkSetObjectBodyMacro(Transform, vtkAbstractTransform, transform);
 }
 
 //------------------------------------------------------------------------------

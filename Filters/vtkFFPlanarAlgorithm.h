@@ -38,8 +38,11 @@ class vtkAbstractTransform;
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPlanarAlgorithm : public vtkFFAlgorithm
 {
 public:
+  ///@{
+  /// Standard methods for type information and printing.
   vtkAbstractTypeMacro(vtkFFPlanarAlgorithm, vtkFFAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   /// The plane in which points are triangulated. The values are those of vtkDelaunay2D.
   enum ProjectionPlaneModeType

@@ -7,23 +7,19 @@
  * vtkFFPointInterpolator2D gives the points of its input (port 0) values from a source (port 1):
  * points with point data. It is used as vtkPointInterpolator2D is: x and y count, z does not.
  * Between the points of the source, values are interpolated over their Delaunay triangulation; if
- * weights are chosen, as for vtkFFPlanarAlgorithm but with
+ * weights are chosen, over their regular triangulation, of which hidden points are no part. (As for
+ * vtkFFPlanarAlgorithm, but SetInputArrayToProcess() takes port 1.) Which triangle a point is in is
+ * decided exactly. At most 2^32 - 2 points can be given, about 5e8 in the source.
  *
- *     filter->SetInputArrayToProcess(
- *       0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weights");
+ * The output is a shallow copy of the input with these point arrays, instead of those of its names:
  *
- * over their regular triangulation, without hidden points. Which triangle a point is in is decided
- * exactly. At most 2^32 - 2 points can be given, about 5e8 in the source.
- *
- * The output is a shallow copy of the input with these point arrays, which take the place of the
- * input's arrays of the same names:
- *
- * - each point array of numbers of the source, as float if it is float, otherwise as double, but
- *   vtkGhostType, global and pedigree ids, and excluded arrays: see AddExcludedArray(). Integers
- *   that no double holds are rounded. Scalars, vectors, tensors and texture coordinates stay
- * active.
+ * - each point array of numbers of the source, as float if it is
+ *   float, otherwise as double, but vtkGhostType, global and pedigree
+ *   ids, and excluded arrays. Integers that no double holds are
+ *   rounded. Active scalars, vectors, tensors and texture coordinates
+ *   stay so.
  * - Elevation: see SetInterpolateZ()
- * - vtkValidPointMask (vtkCharArray): see SetNullPointsStrategy()
+ * - vtkValidPointMask: see SetNullPointsStrategy()
  *
  * A null point is one outside the convex hull of the source's points, where nothing can be
  * interpolated: of points on a line, off the line. So is a point that is not finite, if such points
@@ -54,9 +50,12 @@ class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPointInterpolator2D
   : public vtkFFQueryAlgorithm
 {
 public:
+  ///@{
+  /// Standard methods for instantiation, type information and printing.
   static vtkFFPointInterpolator2D* New();
   vtkTypeMacro(vtkFFPointInterpolator2D, vtkFFQueryAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   /// How values are interpolated.
   enum InterpolationModeType

@@ -120,17 +120,17 @@ flipflop::ImageGrid gridOf(vtkFFPointsToImage* filter, const double* box)
   return grid;
 }
 
-std::array<int, 6> extentOf(std::int64_t columns, std::int64_t rows)
+std::array<int, 6> extentOf(const flipflop::ImageGrid& grid)
 {
-  return { { 0, static_cast<int>(columns) - 1, 0, static_cast<int>(rows) - 1, 0,
-    columns > 0 ? 0 : -1 } };
+  return { { 0, static_cast<int>(grid.size[0]) - 1, 0, static_cast<int>(grid.size[1]) - 1, 0,
+    grid.size[0] > 0 ? 0 : -1 } };
 }
 
 /// Where the image of a plane is in space.
 void setGeometry(const flipflop::ImageGrid& grid, const std::optional<flipflop::FittedPlane>& plane,
   vtkImageData* image)
 {
-  image->SetExtent(extentOf(grid.size[0], grid.size[1]).data());
+  image->SetExtent(extentOf(grid).data());
   image->SetSpacing(grid.spacing[0], grid.spacing[1], 1.0);
   image->SetOrigin(grid.origin[0], grid.origin[1], 0.0);
   const std::array<double, 3> x = plane ? plane->first : std::array<double, 3>{ { 1, 0, 0 } };
@@ -210,7 +210,7 @@ int vtkFFPointsToImage::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* const info = outputVector->GetInformationObject(0);
-  std::array<int, 6> extent{ { 0, -1, 0, -1, 0, -1 } };
+  flipflop::ImageGrid grid;              // of no pixel
   info->Remove(vtkDataObject::ORIGIN()); // of other settings, or of an image that is the input
   info->Remove(vtkDataObject::SPACING());
   try
@@ -218,8 +218,7 @@ int vtkFFPointsToImage::RequestInformation(
     checkSettings(this, false);
     if (!this->UseInputBounds)
     {
-      const flipflop::ImageGrid grid = gridOf(this, this->SamplingBounds);
-      extent = extentOf(grid.size[0], grid.size[1]);
+      grid = gridOf(this, this->SamplingBounds);
       if (this->ProjectionPlaneMode != BEST_FITTING_PLANE)
       {
         const double origin[] = { grid.origin[0], grid.origin[1], 0.0 };
@@ -230,14 +229,14 @@ int vtkFFPointsToImage::RequestInformation(
     }
     else if (this->SizeMode == SIZE_BY_DIMENSIONS)
     {
-      extent = extentOf(this->Dimensions[0], this->Dimensions[1]);
+      std::copy_n(this->Dimensions, 2, grid.size);
     }
   }
   catch (const FFBadSetting&)
   {
     // RequestData() says so.
   }
-  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent.data(), 6);
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extentOf(grid).data(), 6);
   return 1;
 }
 

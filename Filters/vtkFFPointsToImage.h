@@ -46,9 +46,12 @@ class vtkImageData;
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPointsToImage : public vtkFFPlanarAlgorithm
 {
 public:
+  ///@{
+  /// Standard methods for instantiation, type information and printing.
   static vtkFFPointsToImage* New();
   vtkTypeMacro(vtkFFPointsToImage, vtkFFPlanarAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   /// What the size of the image is given by.
   enum SizeModeType

@@ -39,9 +39,12 @@ class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFPowerDiagramFilter
   : public vtkFFPlanarAlgorithm
 {
 public:
+  ///@{
+  /// Standard methods for instantiation, type information and printing.
   static vtkFFPowerDiagramFilter* New();
   vtkTypeMacro(vtkFFPowerDiagramFilter, vtkFFPlanarAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   /// The box to which the power diagram is clipped.
   enum PowerDiagramBoxModeType

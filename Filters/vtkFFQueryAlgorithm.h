@@ -35,8 +35,11 @@ class FFRun;
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFQueryAlgorithm : public vtkDataSetAlgorithm
 {
 public:
+  ///@{
+  /// Standard methods for type information and printing.
   vtkAbstractTypeMacro(vtkFFQueryAlgorithm, vtkDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   /// What to do with points that have a NaN or infinite coordinate or weight.
   enum NonFinitePointsType

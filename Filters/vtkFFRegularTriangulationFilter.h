@@ -15,15 +15,14 @@
  * strictly extreme vertex of the lower hull; all others are hidden, also ties. Without weights,
  * only duplicates are hidden, by the lowest id.
  *
- * - Port 0, the triangulation: the points that appear, by ascending id, with their original
- *   position, type and bits, and the point array vtkOriginalPointIds (a vtkIdTypeArray). Triangles
- *   are counter-clockwise as seen from the plane's upper side, none without area. Each cell starts
- *   at its lowest id; all are in lexicographic order. Points on a line give a chain of lines, one
- *   position gives a vertex.
- * - Port 1, the hidden points: a vertex for each, by ascending id.
- * - Port 2, the border of the cells: see SetGenerateBoundary().
- * - Port 3, the fixed edges: a line for each edge that a constraint runs along, with the points of
- *   port 0, and the cell array ConstraintCellIds (a vtkIdTypeArray): the first such cell.
+ * Port 0, the triangulation, has the points that appear, by ascending id, with their original
+ * position, type and bits, and the point array vtkOriginalPointIds (a vtkIdTypeArray). Triangles
+ * are counter-clockwise as seen from the plane's upper side, none without area. Each cell starts
+ * at its lowest id; all are in lexicographic order. Points on a line give a chain of lines, one
+ * position gives a vertex. Port 1 has a vertex for each hidden point, by ascending id. Port 2 is
+ * the border of the cells: see SetGenerateBoundary(). Port 3 has a line for each edge that a
+ * constraint runs along, with the points of port 0, and the cell array ConstraintCellIds (a
+ * vtkIdTypeArray): the first such cell.
  *
  * @sa
  * vtkFFPlanarAlgorithm vtkFFPowerDiagramFilter vtkPFFRegularTriangulationFilter vtkDelaunay2D
@@ -43,9 +42,12 @@ class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFRegularTriangulationFilter
   : public vtkFFPlanarAlgorithm
 {
 public:
+  ///@{
+  /// Standard methods for instantiation, type information and printing.
   static vtkFFRegularTriangulationFilter* New();
   vtkTypeMacro(vtkFFRegularTriangulationFilter, vtkFFPlanarAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   /// How the polygons of the source define what is inside.
   enum PolygonRuleType
@@ -59,7 +61,7 @@ public:
    * Set/Get alpha, a length: port 0 has the alpha complex of the triangulation. 0 by default: all
    * of it. As in vtkDelaunay2D, a triangle stays if its circumcircle has at most the radius Alpha;
    * that is decided exactly. With weights, it is the circle of power distance 0 from the corners,
-   * by the squares of both; its may be negative. A negative number and NaN are errors.
+   * by the squares of both; the circle's may be negative. A negative number and NaN are errors.
    *
    * AlphaLines adds the edges of no triangle that stays, whose own least circle has at most the
    * radius Alpha and no point in it, as lines; AlphaVerts adds the points that are left as

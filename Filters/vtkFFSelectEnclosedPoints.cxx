@@ -171,13 +171,6 @@ int vtkFFSelectEnclosedPoints::IsInsideSurface(const double x[3])
 }
 
 //------------------------------------------------------------------------------
-int vtkFFSelectEnclosedPoints::IsInsideSurface(double x, double y, double z)
-{
-  const double point[3] = { x, y, z };
-  return this->IsInsideSurface(point);
-}
-
-//------------------------------------------------------------------------------
 void vtkFFSelectEnclosedPoints::Complete()
 {
   this->Prepared.reset();

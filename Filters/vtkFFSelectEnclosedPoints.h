@@ -48,9 +48,12 @@ class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFSelectEnclosedPoints
   : public vtkFFQueryAlgorithm
 {
 public:
+  ///@{
+  /// Standard methods for instantiation, type information and printing.
   static vtkFFSelectEnclosedPoints* New();
   vtkTypeMacro(vtkFFSelectEnclosedPoints, vtkFFQueryAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   ///@{
   /**
@@ -100,7 +103,11 @@ public:
    */
   void Initialize(vtkDataObject* surface);
   int IsInsideSurface(const double x[3]);
-  int IsInsideSurface(double x, double y, double z);
+  int IsInsideSurface(double x, double y, double z)
+  {
+    const double point[3] = { x, y, z };
+    return this->IsInsideSurface(point);
+  }
   void Complete();
   ///@}
 

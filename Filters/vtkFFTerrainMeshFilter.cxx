@@ -267,14 +267,14 @@ flipflop::TerrainMeshOptions optionsOf(vtkFFTerrainMeshFilter* filter)
 void addToFieldData(
   const flipflop::TerrainMesh& mesh, const vtkFFReport& report, vtkFieldData* data)
 {
-  const auto add = [&](const char* name, std::int64_t value)
-  { FFOutput::AddValue(data, name, value); };
   FFOutput::AddValue(data, "FlipFlopTolerance", mesh.tolerance);
   FFOutput::AddValue(data, "FlipFlopGreatestError", mesh.greatestError);
-  add("FlipFlopPointsBeyond", mesh.beyond);
-  add("FlipFlopUnreachablePoints", mesh.unreachable);
-  add("FlipFlopAddedPoints", report.NumberOfAddedPoints);
-  add("FlipFlopHeightDifferences", report.NumberOfHeightDifferences);
+  FFOutput::AddValue(data, "FlipFlopPointsBeyond", mesh.beyond);
+  FFOutput::AddValue(data, "FlipFlopUnreachablePoints", mesh.unreachable);
+  const std::int64_t added = report.NumberOfAddedPoints;
+  FFOutput::AddValue(data, "FlipFlopAddedPoints", added);
+  const std::int64_t differing = report.NumberOfHeightDifferences;
+  FFOutput::AddValue(data, "FlipFlopHeightDifferences", differing);
 }
 
 }

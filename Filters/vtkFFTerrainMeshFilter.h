@@ -15,12 +15,9 @@
  * (M. Garland, P. S. Heckbert, "Fast polygonal approximation of terrains and height fields", 1995).
  * The result is bit for bit the triangulation of the points that are kept.
  *
- * - Port 0, the mesh: triangles, or lines where all points are on one
- *   line. SetFacetMode() has no effect.
- * - Port 1, a vertex for each point that was not kept, with the array
- *   TerrainError (a vtkDoubleArray): how far the point is above the
- *   mesh, the true number rounded to the nearest double.
- *
+ * Port 0, the mesh, has triangles, or lines where all points are on one line. SetFacetMode() has no
+ * effect. Port 1 has a vertex for each point that was not kept, with the array TerrainError (a
+ * vtkDoubleArray): how far it is above the mesh, the true number rounded to the nearest double.
  * Both have the point data of their points. Of several points at one position, the one of the
  * lowest id is the vertex. Others there, whose heights differ by more than the tolerance, are
  * counted by GetNumberOfUnreachablePoints(): no vertex helps them.
@@ -45,9 +42,12 @@ class vtkAlgorithmOutput;
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFTerrainMeshFilter : public vtkFFAlgorithm
 {
 public:
+  ///@{
+  /// Standard methods for instantiation, type information and printing.
   static vtkFFTerrainMeshFilter* New();
   vtkTypeMacro(vtkFFTerrainMeshFilter, vtkFFAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   ///@{
   /**
