@@ -13,11 +13,10 @@
  *
  * The output is a shallow copy of the input with these point arrays, instead of those of its names:
  *
- * - each point array of numbers of the source, as float if it is
- *   float, otherwise as double, but vtkGhostType, global and pedigree
- *   ids, and excluded arrays. Integers that no double holds are
- *   rounded. Active scalars, vectors, tensors and texture coordinates
- *   stay so.
+ * - each point array of numbers of the source, as float if it is float,
+ *   otherwise as double, but vtkGhostType, global and pedigree ids, and
+ *   excluded arrays. Integers that no double holds are rounded. Active
+ *   scalars, vectors, tensors and texture coordinates stay so.
  * - Elevation: see SetInterpolateZ()
  * - vtkValidPointMask: see SetNullPointsStrategy()
  *
