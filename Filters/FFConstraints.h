@@ -45,9 +45,7 @@ class vtkPolyData;
 class FFConstraints
 {
 public:
-  /**
-   * How a filter reads a source. By default, ids name points of the input.
-   */
+  /// How a filter reads a source. By default, ids name points of the input.
   struct SettingsType
   {
     int SourcePoints = 1; ///< vtkFFAlgorithm::SourcePointsType
@@ -71,17 +69,13 @@ public:
   FFConstraints(const FFConstraints&) = delete;
   void operator=(const FFConstraints&) = delete;
 
-  /**
-   * The constraints, or their pieces after Split(); valid as long as this object exists.
-   */
+  /// The constraints, or their pieces after Split(); valid as long as this object exists.
   flipflop::ConstraintView GetView() const
   {
     return this->Pieces ? this->Pieces->view() : this->GetUnsplit();
   }
 
-  /**
-   * Whether the cells name points of the source, and not of the input.
-   */
+  /// Whether the cells name points of the source, and not of the input.
   bool HasOwnPoints() const { return this->IsOwn; }
 
   /**
@@ -107,9 +101,7 @@ public:
     const flipflop::PointView& points, const flipflop::Options& options);
 
   ///@{
-  /**
-   * How many points are new: of the source, and where constraints cross.
-   */
+  /// How many points are new: of the source, and where constraints cross.
   vtkIdType GetNumberOfJoinedPoints() const
   {
     return this->Joined ? static_cast<vtkIdType>(this->Joined->added.size()) : 0;
@@ -120,15 +112,12 @@ public:
   }
   ///@}
 
-  /**
-   * The input's points and those that joined, with point data. The run has the id -1 for the
-   * latter.
-   */
+  /// The input's points and those that joined, with point data. The run gets their ids: -1.
   vtkSmartPointer<vtkPointSet> AppendJoinedPoints(vtkPointSet* given, FFRun& run) const;
 
   /**
-   * Those, and after them points where constraints cross, with the point data that can be
-   * interpolated, along the first of the constraints that cross there. The run has the id -1.
+   * Those, and points where constraints cross, with the point data that can be interpolated along
+   * the first of the constraints that cross there. The run gets their ids: -1.
    *
    * @param positions x and y of all points
    * @param isXY      a new point has this x and y, not those between the ends of the constraint
@@ -157,9 +146,7 @@ public:
   std::vector<vtkSmartPointer<vtkDataArray>> MarkPoints(
     const flipflop::Buffer<std::int64_t>& ids) const;
 
-  /**
-   * The cell of the source that a constraint of the view is of.
-   */
+  /// The cell of the source that a constraint of the view is of.
   vtkIdType GetCellId(std::int64_t constraint) const;
 
   /**

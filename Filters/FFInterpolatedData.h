@@ -62,10 +62,7 @@ public:
   };
 
   ///@{
-  /**
-   * Of the progress of a run that prepares its source: until the triangulation is there, and until
-   * all is.
-   */
+  /// Of a run's progress: until the triangulation is there, and until all is prepared.
   static constexpr double ShareOfTriangulation = 0.2;
   static constexpr double ShareOfPreparing = 0.4;
   ///@}
