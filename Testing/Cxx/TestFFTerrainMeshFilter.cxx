@@ -360,6 +360,16 @@ void testCrossing()
   run->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "depth");
   check(2.0, 1.0, 4.0);
   FF_CHECK_EQUAL(run->GetGreatestError(), 2.0);
+  // Points that are left out have no part in it.
+  const auto more = makePoints(
+    { { 2, 2, 5 }, { 0, 0, 0 }, { 4, 0, 2 }, { 4, 4, 4 }, { 0, 4, 6 }, { 1, 2, notANumber } });
+  addGhosts(more, { 0 });
+  Meshing leaving(more, 100.0);
+  leaving->SetSourceData(makeConstraints({ { 1, 3 }, { 2, 4 } }));
+  leaving->SplitCrossingConstraintsOn();
+  leaving->SetNonFinitePoints(vtkFFAlgorithm::NON_FINITE_IGNORE);
+  FF_CHECK((leaving.Kept() == Ids{ 1, 2, 3, 4, -1 }));
+  FF_CHECK_EQUAL(leaving->GetOutput()->GetPoint(4)[2], 2.0);
   // No crossing: the same as without the setting.
   run->SetSourceData(makeConstraints({ { 0, 2 } }));
   FF_CHECK((run.Kept() == Ids{ 0, 1, 2, 3 }));
