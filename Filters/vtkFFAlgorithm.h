@@ -128,8 +128,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of threads. 0 (the default): as many as vtkSMPTools uses, which is one if
-   * its backend is Sequential, as in Debian's ParaView and the wheels of VTK. -1: all.
+   * Set/Get the number of threads. 0 (the default): as many as vtkSMPTools uses; all of the
+   * machine's where VTK has no threads of its own (the backend Sequential, as in Debian's
+   * ParaView), and has not been told to have none. -1: all.
    */
   vtkSetClampMacro(NumberOfThreads, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);

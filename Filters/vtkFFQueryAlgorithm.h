@@ -50,8 +50,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of threads, as for vtkFFAlgorithm. 0 (the default): as many as vtkSMPTools
-   * uses. -1: all.
+   * Set/Get the number of threads, as for vtkFFAlgorithm.
    */
   vtkSetClampMacro(NumberOfThreads, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);

@@ -162,8 +162,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of threads, each of which works on a block. 0 (the default) means as many as
-   * vtkSMPTools uses, -1 all that the machine has.
+   * Set/Get the number of threads, each of which works on a block, as for
+   * vtkFFAlgorithm::SetNumberOfThreads().
    */
   vtkSetClampMacro(NumberOfThreads, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
