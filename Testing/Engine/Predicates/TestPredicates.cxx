@@ -47,6 +47,14 @@ void expectAllSigns(const HullGeometry& geometry, const std::vector<Vertex>& v)
   const int beneath = exactBeneath(v[0], v[1], v[2], rowOf(v[3]));
   ASSERT_EQ(kernel.kernelBeneath(v[0], v[1], v[2]), beneath);
   ASSERT_EQ(kernel.exactKernelBeneath(v[2], v[1], v[0]), -beneath);
+  const auto along = [&](std::size_t from, std::size_t to, int axis) -> mpq_class
+  { return mpq_class(v[to].x[axis]) - mpq_class(v[from].x[axis]); };
+  for (const std::size_t c : { 0, 2 })
+  {
+    const mpq_class det = along(0, 1, 0) * along(c, 3, 1) - along(0, 1, 1) * along(c, 3, 0);
+    ASSERT_EQ(planeTurn(v[0].x, v[1].x, v[c].x, v[3].x), sgn(det));
+    ASSERT_EQ(planeTurn(v[c].x, v[3].x, v[0].x, v[1].x), -sgn(det));
+  }
   for (int i = 0; i < 3; ++i)
   {
     const int p = i;
@@ -156,6 +164,20 @@ TEST(Predicates, UnderflowIsNoTie)
       const HullGeometry geometry = geometryOf(v);
       expectAllSigns(geometry, v);
     }
+  }
+}
+
+/// Where the products' errors decide, of numbers too large to be split for them.
+TEST(Predicates, OverflowOfAPartIsNoTie)
+{
+  for (const int exponent : { 0, 900, 995, 996, 1000, 1022 })
+  {
+    const double wide = std::ldexp(1.0, exponent), high = std::ldexp(1.0, 100 - exponent);
+    const double origin[] = { 0, 0 }, p[] = { wide * (1 + 0x1p-30), high };
+    const double q[] = { wide * (1 + 0x1p-29), high * (1 + 0x1p-30) };
+    EXPECT_EQ(planeOrientation(origin, p, q), 1) << exponent;
+    EXPECT_EQ(planeOrientation(origin, q, p), -1) << exponent;
+    EXPECT_EQ(planeTurn(origin, p, p, origin), 0) << exponent;
   }
 }
 
