@@ -22,6 +22,19 @@ std::size_t partCountOf(std::size_t segments, std::size_t points)
   return std::max(segments, std::min(MostOfASegment * segments, points / PointsPerPart));
 }
 
+/// Sort them from @p begin on, and keep each once.
+void sortDistinct(std::vector<PositionOnSegment>& found, std::size_t begin)
+{
+  const auto first = found.begin() + static_cast<std::ptrdiff_t>(begin);
+  threads::sort(first, found.end(),
+    [](const PositionOnSegment& a, const PositionOnSegment& b)
+    { return a.segment != b.segment ? a.segment < b.segment : a.position < b.position; });
+  found.erase(std::unique(first, found.end(),
+                [](const PositionOnSegment& a, const PositionOnSegment& b)
+                { return a.segment == b.segment && a.position == b.position; }),
+    found.end());
+}
+
 /// Many points go down the tree together: those in a node's box, one after another in memory.
 class PointSearch
 {
@@ -80,12 +93,17 @@ private:
     {
       for (std::uint32_t slot = tree.begin(node); slot < tree.end(node); ++slot)
       {
+        const std::size_t begin = this->found.size();
         for (std::size_t k = 0; k < count; ++k)
         {
           if (isIn(points[k], this->boxes.box(slot)))
           {
             this->test(points[k].position, this->boxes.segment(slot));
           }
+        }
+        if (this->found.size() - begin > 1)
+        {
+          sortDistinct(this->found, begin); // duplicates of a point are in the same leaves
         }
       }
       return;
@@ -130,13 +148,13 @@ private:
 }
 
 std::vector<PositionOnSegment> pointsOnSegments(const std::vector<Position>& positions,
-  const std::vector<PositionSegment>& segments, const PointSource& source, Monitor& monitor)
+  const std::vector<PositionSegment>& segments, const PointSource& source, Monitor& monitor,
+  std::size_t pointsPerTask)
 {
-  constexpr std::size_t PointsPerTask = 1 << 16;
   const std::size_t count = source.count();
   const SegmentTree tree(positions, segments, partCountOf(segments.size(), count), monitor);
-  std::vector<std::vector<PositionOnSegment>> found(chunkCount(count, PointsPerTask));
-  eachChunk(count, PointsPerTask,
+  std::vector<std::vector<PositionOnSegment>> found(chunkCount(count, pointsPerTask));
+  eachChunk(count, pointsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t number)
     {
       monitor.poll();
@@ -153,13 +171,7 @@ std::vector<PositionOnSegment> pointsOnSegments(const std::vector<Position>& pos
     all.insert(all.end(), some.begin(), some.end());
     some = {};
   }
-  threads::sort(all.begin(), all.end(),
-    [](const PositionOnSegment& a, const PositionOnSegment& b)
-    { return a.segment != b.segment ? a.segment < b.segment : a.position < b.position; });
-  all.erase(std::unique(all.begin(), all.end(),
-              [](const PositionOnSegment& a, const PositionOnSegment& b)
-              { return a.segment == b.segment && a.position == b.position; }),
-    all.end());
+  sortDistinct(all, 0);
   return all;
 }
 

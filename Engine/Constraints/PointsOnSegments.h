@@ -9,6 +9,7 @@
 #include "Points/PointSource.h"
 #include "Support/Monitor.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -22,10 +23,12 @@ struct PositionOnSegment
 };
 
 /// The positions of points inside segments, each once: by segments, and along each.
-/// @param segments from their lower positions
-/// @throw Error TooManyPoints, Aborted
+/// @param segments      from their lower positions; it takes the least memory if no two overlap
+/// @param pointsPerTask how many are searched for together
+/// @throw Error         TooManyPoints, Aborted
 std::vector<PositionOnSegment> pointsOnSegments(const std::vector<Position>& positions,
-  const std::vector<PositionSegment>& segments, const PointSource& source, Monitor& monitor);
+  const std::vector<PositionSegment>& segments, const PointSource& source, Monitor& monitor,
+  std::size_t pointsPerTask = std::size_t(1) << 16);
 
 }
 
