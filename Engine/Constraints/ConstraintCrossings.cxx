@@ -13,8 +13,8 @@
 
 #include "Constraints/Crossing.h"
 #include "Constraints/CrossingPairs.h"
-#include "Constraints/PointsOnSegments.h"
 #include "Constraints/PositionNumbers.h"
+#include "Constraints/SegmentLinks.h"
 #include "Points/ConstraintInput.h"
 #include "Predicates/DoubleDouble.h"
 #include "Run/QueryRun.h"
@@ -25,7 +25,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -75,6 +74,7 @@ public:
       }
     }
     this->run.monitor.stage(0.9, 1.0, 1, "finishing");
+    this->findInner();
     this->nameInner();
     this->write(result);
     return true;
@@ -128,17 +128,19 @@ private:
                                            : this->pieceOf({ from, to }, known));
       this->isTurned.push_back(turned);
     }
-    this->links.resize(this->pieces.size());
-    std::iota(this->links.begin(), this->links.end(), 0u);
-    this->firstLink = countedFrom0(this->pieces.size());
-    this->firstPiece = this->firstLink;
+    this->setLinks(SegmentLinks::undivided(this->pieces));
   }
 
-  static std::vector<std::size_t> countedFrom0(std::size_t last)
+  /// Each is a piece, until it is split.
+  void setLinks(SegmentLinks&& divided)
   {
-    std::vector<std::size_t> numbers(last + 1);
-    std::iota(numbers.begin(), numbers.end(), std::size_t(0));
-    return numbers;
+    this->links = std::move(divided);
+    this->pieces = std::move(this->links.ends);
+    this->firstPiece.resize(this->pieces.size() + 1);
+    for (std::size_t p = 0; p < this->firstPiece.size(); ++p)
+    {
+      this->firstPiece[p] = p;
+    }
   }
 
   /// The segments of these pairs, or all.
@@ -155,49 +157,15 @@ private:
   /// Make links of segments that cross. Returns whether there is a point on any.
   bool divideAtPoints(const std::vector<CrossingPair>& pairs)
   {
-    this->isDivided = this->chosenOf(pairs);
-    std::vector<PositionSegment> chosen;
-    for (std::size_t s = 0; s < this->pieces.size(); ++s)
+    const std::vector<char> isChosen = this->chosenOf(pairs);
+    SegmentLinks divided;
+    if (!divideSegments(
+          this->numbers, this->pieces, isChosen, this->run.source, this->run.monitor, divided))
     {
-      if (this->isDivided[s])
-      {
-        chosen.push_back(this->pieces[s]);
-      }
-    }
-    const std::vector<PositionOnSegment> points =
-      pointsOnSegments(this->numbers.positions(), chosen, this->run.source, this->run.monitor);
-    if (points.empty())
-    {
+      this->links.isDivided = isChosen;
       return false;
     }
-    const std::vector<PositionSegment> segments = std::exchange(this->pieces, {});
-    const std::vector<char> isChosen = std::exchange(this->isDivided, {});
-    std::unordered_map<std::uint64_t, std::uint32_t> known;
-    this->links.clear();
-    StepPoll poll(this->run.monitor);
-    auto next = points.begin();
-    std::uint32_t number = 0; // of a chosen one
-    for (std::size_t s = 0; s < segments.size(); ++s)
-    {
-      poll.step();
-      this->firstLink[s] = this->links.size();
-      std::uint32_t from = segments[s].from;
-      for (; isChosen[s] && next != points.end() && next->segment == number; ++next)
-      {
-        const std::uint32_t index = this->numbers.add(next->position);
-        this->links.push_back(this->pieceOf({ from, index }, known));
-        from = index;
-      }
-      this->links.push_back(this->pieceOf({ from, segments[s].to }, known));
-      number += isChosen[s] ? 1 : 0;
-      this->isDivided.resize(this->pieces.size(), 0);
-      for (std::size_t l = this->firstLink[s]; isChosen[s] && l < this->links.size(); ++l)
-      {
-        this->isDivided[this->links[l]] = 1;
-      }
-    }
-    this->firstLink.back() = this->links.size();
-    this->firstPiece = countedFrom0(this->pieces.size());
+    this->setLinks(std::move(divided));
     this->findMeetings();
     return true;
   }
@@ -208,7 +176,8 @@ private:
     const auto isOfDivided = [this](std::size_t piece)
     {
       const auto next = std::upper_bound(this->firstPiece.begin(), this->firstPiece.end(), piece);
-      return this->isDivided[static_cast<std::size_t>(next - this->firstPiece.begin()) - 1] != 0;
+      const auto link = static_cast<std::size_t>(next - this->firstPiece.begin()) - 1;
+      return this->links.isDivided[link] != 0;
     };
     return std::all_of(pairs.begin(), pairs.end(),
       [&](const CrossingPair& pair)
@@ -220,13 +189,15 @@ private:
   {
     std::vector<std::uint32_t> onward(this->numbers.positions().size(), NoIndex);
     this->isMet.assign(onward.size(), 0);
-    for (std::size_t s = 0; s + 1 < this->firstLink.size(); ++s)
+    for (std::size_t c = 0; c + 1 < this->links.firstOfChain.size(); ++c)
     {
-      for (std::size_t l = this->firstLink[s] + 1; l < this->firstLink[s + 1]; ++l)
+      for (std::size_t l = this->links.firstOfChain[c] + 1; l < this->links.firstOfChain[c + 1];
+           ++l)
       {
-        const std::uint32_t index = this->pieces[this->links[l]].from;
-        const std::uint32_t other = std::exchange(onward[index], this->links[l]);
-        if (other != NoIndex && other != this->links[l])
+        const std::uint32_t link = this->links.chains[l];
+        const std::uint32_t index = this->pieces[link].from;
+        const std::uint32_t other = std::exchange(onward[index], link);
+        if (other != NoIndex && other != link)
         {
           this->isMet[index] = 1;
         }
@@ -392,14 +363,44 @@ private:
     this->pieces = std::move(shorter);
   }
 
-  /// Ids for the positions inside constraints: the lowest of a given point, or that of a new one.
+  /// Where chains are divided: where they bend, or cross another. Links along which one stays
+  /// straight are one.
+  void findInner()
+  {
+    StepPoll poll(this->run.monitor);
+    this->innerOfLink.resize(this->links.chains.size());
+    for (std::size_t c = 0; c + 1 < this->links.firstOfChain.size(); ++c)
+    {
+      const std::size_t begin = this->links.firstOfChain[c];
+      bool isBent = false;
+      for (std::size_t l = begin; l < this->links.firstOfChain[c + 1]; ++l)
+      {
+        poll.step();
+        const std::size_t first = this->firstPiece[this->links.chains[l]];
+        const std::size_t last = this->firstPiece[this->links.chains[l] + 1];
+        const bool wasBent = std::exchange(isBent, last - first > 1);
+        if (l > begin && (wasBent || isBent || this->isMet[this->pieces[first].from]))
+        {
+          this->innerPositions.push_back(this->pieces[first].from);
+        }
+        this->innerOfLink[l].begin = this->innerPositions.size();
+        for (std::size_t p = first + 1; p < last; ++p)
+        {
+          this->innerPositions.push_back(this->pieces[p].from);
+        }
+        this->innerOfLink[l].end = this->innerPositions.size();
+      }
+    }
+  }
+
+  /// Ids for the positions inside segments: the lowest of a given point, or that of a new one.
   void nameInner()
   {
     const std::size_t count = this->numbers.positions().size();
     std::vector<char> isInner(count, 0);
-    for (std::size_t segment = 0; segment + 1 < this->firstLink.size(); ++segment)
+    for (const std::uint32_t index : this->innerPositions)
     {
-      this->eachInner(segment, [&](std::uint32_t index) { isInner[index] = 1; });
+      isInner[index] = 1;
     }
     this->idOf = lowestPointsAt(this->numbers, isInner, this->run.source, this->run.monitor);
     for (std::uint32_t index = 0; index < count; ++index)
@@ -480,29 +481,6 @@ private:
     }
   }
 
-  /// use (position) for each in which a segment is divided, from its lower end: where it bends, or
-  /// crosses another. Links along which it stays straight are one.
-  template <class Use>
-  void eachInner(std::size_t segment, const Use& use) const
-  {
-    bool isBent = false;
-    for (std::size_t l = this->firstLink[segment]; l < this->firstLink[segment + 1]; ++l)
-    {
-      const std::size_t first = this->firstPiece[this->links[l]];
-      const std::size_t last = this->firstPiece[this->links[l] + 1];
-      const bool wasBent = std::exchange(isBent, last - first > 1);
-      if (l > this->firstLink[segment] &&
-        (wasBent || isBent || this->isMet[this->pieces[first].from]))
-      {
-        use(this->pieces[first].from);
-      }
-      for (std::size_t p = first + 1; p < last; ++p)
-      {
-        use(this->pieces[p].from);
-      }
-    }
-  }
-
   /// use (constraint, positions inside it) for each, in its direction.
   template <class Use>
   void eachConstraint(const Use& use) const
@@ -515,12 +493,13 @@ private:
       const std::uint32_t segment = this->segmentOf[static_cast<std::size_t>(c)];
       if (segment != NoIndex)
       {
-        this->eachInner(segment,
-          [&](std::uint32_t index)
-          {
-            poll.step();
-            inner.push_back(index);
-          });
+        const SegmentLinks::Range& own = this->links.ofSegment[segment];
+        for (std::size_t i = this->innerOfLink[own.begin].begin;
+             i < this->innerOfLink[own.end - 1].end; ++i)
+        {
+          poll.step();
+          inner.push_back(this->innerPositions[i]);
+        }
       }
       if (this->isTurned[static_cast<std::size_t>(c)])
       {
@@ -536,14 +515,14 @@ private:
   PositionNumbers numbers;
   std::vector<std::uint32_t> segmentOf; ///< by constraint; NoIndex: it is but a position
   std::vector<bool> isTurned;           ///< by constraint: it runs against its segment
-  std::vector<std::uint32_t> links;     ///< of the segments, one after another
-  std::vector<std::size_t> firstLink;   ///< by segment; then how many links there are
-  std::vector<char> isDivided;          ///< by link: no point is inside it
+  SegmentLinks links;                   ///< its ends are in the pieces
   std::vector<char> isMet;              ///< by position, of those between links: others are met
   std::vector<PositionSegment> pieces;  ///< of the links, one after another
   std::vector<std::size_t> firstPiece;  ///< by link; then how many pieces there are
-  std::vector<std::int64_t> idOf;       ///< by position, of those inside segments
-  std::vector<std::uint32_t> added;     ///< positions of the new points
+  std::vector<std::uint32_t> innerPositions;    ///< positions inside segments, along each chain
+  std::vector<SegmentLinks::Range> innerOfLink; ///< those inside a link, as these are in chains
+  std::vector<std::int64_t> idOf;               ///< by position, of those inside segments
+  std::vector<std::uint32_t> added;             ///< positions of the new points
 };
 
 }
