@@ -203,7 +203,7 @@ void requireFit(const ConstrainedTriangulation& triangulation, std::int64_t poin
     !areBelow(triangulation.fixedEdges, static_cast<std::int64_t>(triangulation.pointIds.size())) ||
     triangulation.fixedEdges.size() % 2 != 0)
   {
-    throw badArgument("the triangulation must be that of these points and constraints");
+    throw badTriangulation();
   }
 }
 

@@ -23,6 +23,16 @@
 namespace flipflop
 {
 
+/// Points, constraints and a triangulation that are not of each other.
+/// @param id of a point from which no fixed edge leads on along a constraint
+inline Error badTriangulation(std::int64_t id = -1)
+{
+  return badArgument("the triangulation must be that of these points and constraints, and "
+                     "constraints must end at the lowest ids of their positions, as joinLines() "
+                     "returns them",
+    id);
+}
+
 class FixedPaths
 {
 public:
@@ -43,7 +53,7 @@ public:
 
   /// use(id, id) for the ends of each edge between two points, from one of these to the other.
   /// @param at Position (id)
-  /// @throw Error BadArgument: there is no such path
+  /// @throw Error BadArgument: there is no such path (index: the point where it ends)
   template <class At, class Use>
   void walk(std::int64_t from, std::int64_t to, const At& at, StepPoll& poll, const Use& use) const
   {
@@ -96,8 +106,7 @@ private:
         return edge->second;
       }
     }
-    throw badArgument(
-      "points, lines, what joins them and their triangulation must be of each other");
+    throw badTriangulation(id);
   }
 
   std::vector<Edge> edges; ///< in both directions, ascending

@@ -51,12 +51,6 @@ double heightOver(const double* q, const double* a, const double* b)
   return height;
 }
 
-Error misfit()
-{
-  return badArgument(
-    "points, lines, what joins them and their triangulation must be of each other");
-}
-
 class HeightCollector
 {
 public:
@@ -125,7 +119,7 @@ private:
       areIn(triangulation.fixedEdges, 0, static_cast<std::int64_t>(triangulation.pointIds.size()));
     if (!fit)
     {
-      throw misfit();
+      throw badTriangulation();
     }
   }
 

@@ -131,15 +131,15 @@ std::int64_t cellsInside(const ConstrainedTriangulation& triangulation, std::uin
 /// @param triangulation as constrainedTriangulation gave it
 /// @param points        which it was given
 /// @param constraints   which it was given; their ends are the lowest ids of their positions, as in
-///                      JoinedLines and SplitConstraints
+///                      JoinedLines, and in SplitConstraints of these
 /// @param featureOf     for each side of a polygon the feature that it is of, by any number
 /// @param inside        space for one byte a cell: 1 if it is inside
 /// @param options       see Options; only the threads and the progress count
 /// @return              how many cells are inside
 /// @throw Error         BadArgument (no array for the features or the results, constraints or
-/// points
-///                      of another triangulation, sides of a feature that do not close),
-///                      OutOfMemory, Aborted
+///                      points of another triangulation, an end that is not the lowest id of its
+///                      position (index: it), sides of a feature that do not close), OutOfMemory,
+///                      Aborted
 std::int64_t cellsInsideFeatures(const ConstrainedTriangulation& triangulation,
   const PointView& points, const ConstraintView& constraints, const std::int64_t* featureOf,
   std::uint8_t* inside, const Options& options = Options());

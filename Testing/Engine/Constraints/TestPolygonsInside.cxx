@@ -313,6 +313,25 @@ TEST(PolygonsInside, OfFeaturesRefusesWhatDoesNotFit)
   expectError([&] { run(grid, sides.view(), features); }, ErrorCode::BadArgument);
 }
 
+/// The triangulation has one id of a position, so features must have that one, too.
+TEST(PolygonsInside, OfFeaturesNamesAnIdThatIsNotTheLowest)
+{
+  Cloud cloud = grid;
+  cloud.push_back(grid[10]);
+  const std::vector<std::int64_t> features(4, 0);
+  std::vector<std::uint8_t> inside;
+  const auto run = [&](const Loop& loop)
+  {
+    const Sides sides({ loop });
+    const ConstrainedTriangulation result = constrainedTriangulation(viewOf(cloud), sides.view());
+    inside.assign(static_cast<std::size_t>(result.cellCount()), 7);
+    cellsInsideFeatures(result, viewOf(cloud), sides.view(), features.data(), inside.data());
+  };
+  expectError([&] { run({ 5, 6, 16, 9 }); }, ErrorCode::BadArgument, 16);
+  run({ 5, 6, 10, 9 });
+  EXPECT_EQ(std::count(inside.begin(), inside.end(), 1), 2);
+}
+
 /// Rectangles in rectangles and beside each other, that take turns from depth to depth.
 void nest(
   int x0, int y0, int x1, int y1, int side, bool solid, Random& random, std::vector<Loop>& loops)
