@@ -8,25 +8,19 @@
 #include <flipflop/ConvexHull.h>
 #include <flipflop/EdgeLengths.h>
 #include <flipflop/Error.h>
-#include <flipflop/Measures.h>
 
 #include "vtkAbstractTransform.h"
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkHomogeneousTransform.h"
 #include "vtkMatrix4x4.h"
-#include "vtkPointData.h"
 #include "vtkPointSet.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -77,7 +71,7 @@ void FFPlanarInput::Take(vtkDataObject* data)
 void FFPlanarInput::SetPoints(vtkPointSet* points)
 {
   this->Points = points;
-  this->Space.emplace(points->GetPoints() ? points->GetPoints()->GetData() : nullptr);
+  this->Space.emplace(std::vector<vtkPointSet*>{ points });
 }
 
 //------------------------------------------------------------------------------
@@ -236,63 +230,11 @@ vtkSmartPointer<vtkDoubleArray> FFPlanarInput::ToSpace(
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkSmartPointer<vtkDoubleArray>> FFPlanarInput::MeasureCells(
-  std::int64_t count, const MeasureType& measure) const
-{
-  if (!this->Filter->GetGenerateCellMeasures())
-  {
-    return {};
-  }
-  auto areas = vtkSmartPointer<vtkDoubleArray>::New();
-  areas->SetName("Area");
-  areas->SetNumberOfValues(static_cast<vtkIdType>(count));
-  flipflop::Buffer<double> positions(2 * static_cast<std::size_t>(count));
-  measure(areas->GetPointer(0), positions.data());
-  vtkSmartPointer<vtkDoubleArray> centroids = this->ToSpace(positions, "The cells' centroids");
-  centroids->SetName("Centroid");
-  return { areas, centroids };
-}
-
-//------------------------------------------------------------------------------
 std::vector<FFOutput::Source> FFPlanarInput::GetPointData() const
 {
-  if (!this->Filter->GetPassPointData())
-  {
-    return {};
-  }
-  return { { this->Points->GetPointData(), this->Points->GetNumberOfPoints() } };
-}
-
-//------------------------------------------------------------------------------
-void FFPlanarInput::WriteCells(flipflop::CellComplex& cells, vtkPolyData* output,
-  const std::vector<vtkSmartPointer<vtkDoubleArray>>& arrays) const
-{
-  for (const auto& array : arrays)
-  {
-    output->GetCellData()->AddArray(array);
-  }
-  FFOutput::Adopt(cells, *this->Space, this->GetPointData(), output);
-  FFOutput::Renumber(output->GetPointData(), [this](vtkIdType id) { return this->Run.GetId(id); });
-  if (this->Filter->GetVisiblePointIds())
-  {
-    FFOutput::ShowIds(output->GetPointData());
-  }
-}
-
-//------------------------------------------------------------------------------
-void FFPlanarInput::WriteTriangulation(
-  flipflop::Triangulation& triangulation, vtkPolyData* output) const
-{
-  const auto measure = [&](double* areas, double* centroids)
-  {
-    // A share of a triangulation may have no cell, which the engine takes for none of its own.
-    if (triangulation.cellCount() > 0)
-    {
-      flipflop::cellMeasures(this->Plane, triangulation, areas, centroids, this->Run.Options);
-    }
-  };
-  const auto measures = this->MeasureCells(triangulation.cellCount(), measure);
-  this->WriteCells(triangulation, output, measures);
+  return FFOutput::DataOf(this->Filter->GetPassPointData()
+      ? std::vector<vtkPointSet*>{ this->Points }
+      : std::vector<vtkPointSet*>());
 }
 
 //------------------------------------------------------------------------------
@@ -311,18 +253,6 @@ void FFPlanarInput::Report(const flipflop::CellComplex& cells, std::optional<std
   {
     FFOutput::AddValue(output->GetFieldData(), "FlipFlopDroppedCells", *dropped);
   }
-}
-
-//------------------------------------------------------------------------------
-void FFPlanarInput::WriteVertices(flipflop::Buffer<std::int64_t>& ids, vtkPolyData* output) const
-{
-  flipflop::CellComplex vertices;
-  vertices.dimension = 0;
-  vertices.cellSize = 1;
-  vertices.connectivity.allocate(ids.size());
-  std::iota(vertices.connectivity.begin(), vertices.connectivity.end(), std::int64_t(0));
-  vertices.pointIds = std::move(ids);
-  this->WriteCells(vertices, output);
 }
 
 //------------------------------------------------------------------------------

@@ -13,10 +13,9 @@
 #ifndef FFPlanarInput_h
 #define FFPlanarInput_h
 
+#include "FFExactValues.h"
 #include "FFOutput.h"
-#include "FFPointSource.h"
 #include "FFRun.h"
-#include "FFWeightSource.h"
 #include "vtkFFMarks.h"
 #include "vtkSmartPointer.h"
 
@@ -40,7 +39,6 @@ class vtkDataSet;
 class vtkDoubleArray;
 class vtkFFPlanarAlgorithm;
 class vtkPointSet;
-class vtkPolyData;
 
 class FFPlanarInput
 {
@@ -82,18 +80,20 @@ public:
   ///@}
 
   vtkPointSet* GetPoints() const { return this->Points; }
+  const FFPointSource& GetSource() const { return *this->Space; }
   const flipflop::PointView& GetSpace() const { return this->Space->GetView(); }
   const flipflop::PointView& GetPlane() const { return this->Plane; }
   const flipflop::WeightView& GetWeights() const { return this->Weights->GetView(); }
 
   /**
-   * Number i of the memory of a view of points or weights.
+   * The point data of an output, if it is to be passed.
    */
+  std::vector<FFOutput::Source> GetPointData() const;
+
   template <class View>
   static double NumberAt(const View& view, std::int64_t i)
   {
-    return view.type == flipflop::ScalarType::Float32 ? static_cast<const float*>(view.data)[i]
-                                                      : static_cast<const double*>(view.data)[i];
+    return FFNumberAt(view, i);
   }
 
   /**
@@ -127,41 +127,11 @@ public:
     const flipflop::Buffer<double>& xy, const char* what) const;
 
   /**
-   * The arrays Area and Centroid of so many cells, if the filter generates cell measures: by what
-   * @p measure writes, an area and the x and y of a centroid for each.
-   */
-  using MeasureType = std::function<void(double* areas, double* centroids)>;
-  std::vector<vtkSmartPointer<vtkDoubleArray>> MeasureCells(
-    std::int64_t count, const MeasureType& measure) const;
-
-  /**
-   * The point data of an output, if it is to be passed.
-   */
-  std::vector<FFOutput::Source> GetPointData() const;
-
-  /**
-   * Cells of these points become an output, with the points that they have, and with more cell
-   * arrays.
-   */
-  void WriteCells(flipflop::CellComplex& cells, vtkPolyData* output,
-    const std::vector<vtkSmartPointer<vtkDoubleArray>>& arrays = {}) const;
-
-  /**
-   * The same of a triangulation, with the measures of its cells if the filter generates them.
-   */
-  void WriteTriangulation(flipflop::Triangulation& triangulation, vtkPolyData* output) const;
-
-  /**
    * Add to what the filter reports: the triangulation, and how many of its points are hidden and
    * how many of its cells were excluded; none of a number that the filter does not report.
    */
   void Report(const flipflop::CellComplex& cells, std::optional<std::int64_t> hidden,
     std::optional<std::int64_t> dropped, vtkDataObject* output) const;
-
-  /**
-   * Points become an output with a vertex for each.
-   */
-  void WriteVertices(flipflop::Buffer<std::int64_t>& ids, vtkPolyData* output) const;
 
   /**
    * Leave out the cells that have an edge longer than that, if it is a length. Returns how many.

@@ -1,32 +1,34 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What vtkFFRegularTriangulationFilter makes of a triangulation.
- *
- * FFTriangulationOutput excludes cells, as the filter's properties say, and makes the rest the
- * filter's outputs. Of an alpha complex, the edges and points that remain are lines and vertices of
- * the same output. Cell arrays go over all cells in VTK's order: vertices, lines, polygons.
+ * What filters make of triangulations and of power diagrams.
  */
 
-#ifndef FFTriangulationOutput_h
-#define FFTriangulationOutput_h
+#ifndef FFPlanarOutput_h
+#define FFPlanarOutput_h
 
 #include "vtkFFMarks.h"
-#include "vtkSmartPointer.h"
 
 #include <flipflop/PointView.h>
+#include <flipflop/PowerDiagram.h>
 #include <flipflop/Triangulation.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkDoubleArray;
 class FFPlanarInput;
+class vtkFFPowerDiagramFilter;
 class vtkFFRegularTriangulationFilter;
 class FFRun;
 class vtkPolyData;
 
+/**
+ * Excludes cells, as the filter's properties say, and makes the rest the filter's outputs. Of an
+ * alpha complex, the edges and points that remain are lines and vertices of the same output. Cell
+ * arrays go over all cells in VTK's order: vertices, lines, polygons.
+ */
 class FFTriangulationOutput
 {
 public:
@@ -51,14 +53,10 @@ public:
     vtkPolyData* hidden, vtkPolyData* border);
 
 private:
-  std::int64_t DropByAlpha(const flipflop::PointView& points, const flipflop::WeightView& weights,
+  void DropByAlpha(const flipflop::PointView& points, const flipflop::WeightView& weights,
     flipflop::CellComplex& cells);
-  void DropLongLines(const flipflop::PointView& points, flipflop::CellComplex& cells);
-  std::int64_t GetNumberOfCells(const flipflop::CellComplex& cells) const;
   void Measure(const FFPlanarInput& input, flipflop::Triangulation& triangulation, double* areas,
     double* centroids);
-  vtkSmartPointer<vtkDoubleArray> GetAlphas(
-    const FFPlanarInput& input, const flipflop::Triangulation& triangulation) const;
 
   /// Calls use(lines), if there are lines, as cells of the points of these cells.
   void WithLines(
@@ -71,6 +69,28 @@ private:
   flipflop::Buffer<double> LineAlphas;
   flipflop::Buffer<double> VertexAlphas;
 };
+
+namespace FFPowerCells
+{
+
+/**
+ * @throw FFBadSetting if the filter's box is asked for, and is none.
+ */
+void CheckBox(vtkFFPowerDiagramFilter* filter);
+
+/**
+ * The box that the filter asks for.
+ */
+std::array<double, 4> FindBox(vtkFFPowerDiagramFilter* filter, const flipflop::PointView& points,
+  const flipflop::Triangulation& triangulation);
+
+/**
+ * The diagram of the input's points becomes the output.
+ */
+void Write(vtkFFPowerDiagramFilter* filter, FFPlanarInput& input, flipflop::PowerDiagram& diagram,
+  FFRun& run, vtkPolyData* output);
+
+}
 VTK_ABI_NAMESPACE_END
 
 #endif
