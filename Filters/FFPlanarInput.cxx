@@ -61,7 +61,7 @@ void FFPlanarInput::Take(vtkDataObject* data)
   {
     this->FindWeights(points);
   }
-  input.Take(FFBlocks::PiecesOf(data), this->Filter->GetSkipGhostPoints(), this->Run);
+  input.TakePieces(FFBlocks::PiecesOf(data), this->Filter->GetSkipGhostPoints(), this->Run);
   this->SetPoints(input.GetPieces()[0]);
   this->SetWeights(this->FindWeights(this->Points));
   this->Project();
