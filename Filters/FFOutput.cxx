@@ -12,18 +12,15 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -62,15 +59,6 @@ vtkSmartPointer<ArrayT> adopt(flipflop::Buffer<std::int64_t>& buffer)
       [](std::int64_t value) { return static_cast<Value>(value); });
   }
   return array;
-}
-
-template <class ArrayT, class T>
-void addValue(vtkFieldData* output, const char* name, T value)
-{
-  vtkNew<ArrayT> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  output->AddArray(array);
 }
 
 /// A new array like this one: type, components, names, keys; room for count tuples.
@@ -404,27 +392,15 @@ void FFOutput::RemoveReport(vtkFieldData* data)
 }
 
 //------------------------------------------------------------------------------
-void FFOutput::AddValue(vtkFieldData* output, const char* name, int value)
+void FFOutput::AddValue(vtkFieldData* output, const char* name, const vtkVariant& value)
 {
-  addValue<vtkIntArray>(output, name, value);
-}
-
-//------------------------------------------------------------------------------
-void FFOutput::AddValue(vtkFieldData* output, const char* name, std::int64_t value)
-{
-  addValue<vtkIdTypeArray>(output, name, static_cast<vtkIdType>(value));
-}
-
-//------------------------------------------------------------------------------
-void FFOutput::AddValue(vtkFieldData* output, const char* name, double value)
-{
-  addValue<vtkDoubleArray>(output, name, value);
-}
-
-//------------------------------------------------------------------------------
-void FFOutput::AddValue(vtkFieldData* output, const char* name, const char* value)
-{
-  addValue<vtkStringArray>(output, name, value);
+  const int type = static_cast<int>(value.GetType());
+  const bool isLong = type == VTK_LONG || type == VTK_LONG_LONG;
+  vtkSmartPointer<vtkAbstractArray> array;
+  array.TakeReference(vtkAbstractArray::CreateArray(isLong ? VTK_ID_TYPE : type));
+  array->SetName(name);
+  array->InsertVariantValue(0, value);
+  output->AddArray(array);
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 #include "vtkFFMarks.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkVariant.h"
 
 #include <flipflop/Buffer.h>
 
@@ -102,10 +103,7 @@ void PassPointData(
  */
 void PassFieldData(vtkDataObject* input, vtkDataObject* output);
 void RemoveReport(vtkFieldData* data);
-void AddValue(vtkFieldData* output, const char* name, int value);
-void AddValue(vtkFieldData* output, const char* name, std::int64_t value);
-void AddValue(vtkFieldData* output, const char* name, double value);
-void AddValue(vtkFieldData* output, const char* name, const char* value);
+void AddValue(vtkFieldData* output, const char* name, const vtkVariant& value);
 ///@}
 
 /**

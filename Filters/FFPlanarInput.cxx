@@ -32,8 +32,19 @@ namespace
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Points between two checks for an abort: some milliseconds.
-constexpr std::int64_t chunkSize = 1 << 16;
+/// Calls use(i) for each of so many points, with checks for an abort every some milliseconds.
+template <class Use>
+void eachPoint(std::int64_t count, const flipflop::Options& options, const Use& use)
+{
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    if (i % (1 << 16) == 0)
+    {
+      FFRun::Look(options);
+    }
+    use(i);
+  }
+}
 
 bool isFinite(const double* p)
 {
@@ -145,21 +156,18 @@ void FFPlanarInput::ProjectByTransform()
   const flipflop::PointView& view = this->GetSpace();
   flipflop::Buffer<double> positions(2 * static_cast<std::size_t>(view.count));
   // By one thread: nothing else is known of a transform that somebody else wrote.
-  for (std::int64_t i = 0; i < view.count; ++i)
-  {
-    if (i % chunkSize == 0)
+  eachPoint(view.count, this->Run.Options,
+    [&](std::int64_t i)
     {
-      FFRun::Look(this->Run.Options);
-    }
-    const std::int64_t at = i * view.stride;
-    const double from[3] = { NumberAt(view, at), NumberAt(view, at + 1), NumberAt(view, at + 2) };
-    double to[3] = { NaN, NaN, NaN };
-    if (isFinite(from))
-    {
-      this->Transform->TransformPoint(from, to);
-    }
-    std::copy_n(to, 2, positions.data() + 2 * i);
-  }
+      const std::int64_t at = i * view.stride;
+      const double from[3] = { NumberAt(view, at), NumberAt(view, at + 1), NumberAt(view, at + 2) };
+      double to[3] = { NaN, NaN, NaN };
+      if (isFinite(from))
+      {
+        this->Transform->TransformPoint(from, to);
+      }
+      std::copy_n(to, 2, positions.data() + 2 * i);
+    });
   this->SetPositions(std::move(positions));
 }
 
@@ -244,15 +252,15 @@ void FFPlanarInput::Report(const flipflop::CellComplex& cells, std::optional<std
   this->Run.AddToReport(cells, output);
   this->Run.Report.NumberOfHiddenPoints = static_cast<vtkIdType>(hidden.value_or(0));
   this->Run.Report.NumberOfDroppedCells = static_cast<vtkIdType>(dropped.value_or(0));
-  const bool asFieldData = this->Run.ReportsAsFieldData;
-  if (asFieldData && hidden)
+  const auto add = [&](const char* name, std::optional<std::int64_t> count)
   {
-    FFOutput::AddValue(output->GetFieldData(), "FlipFlopHiddenPoints", *hidden);
-  }
-  if (asFieldData && dropped)
-  {
-    FFOutput::AddValue(output->GetFieldData(), "FlipFlopDroppedCells", *dropped);
-  }
+    if (this->Run.ReportsAsFieldData && count)
+    {
+      FFOutput::AddValue(output->GetFieldData(), name, *count);
+    }
+  };
+  add("FlipFlopHiddenPoints", hidden);
+  add("FlipFlopDroppedCells", dropped);
 }
 
 //------------------------------------------------------------------------------
@@ -262,24 +270,21 @@ std::int64_t FFPlanarInput::VisitPoints(const PointVisitor& visit) const
   const flipflop::WeightView& weights = this->GetWeights();
   std::int64_t first = -1;
   std::int64_t count = 0;
-  for (std::int64_t i = 0; i < view.count; ++i)
-  {
-    if (i % chunkSize == 0)
+  eachPoint(view.count, this->Run.Options,
+    [&](std::int64_t i)
     {
-      FFRun::Look(this->Run.Options);
-    }
-    const double x = NumberAt(view, i * view.stride);
-    const double y = NumberAt(view, i * view.stride + 1);
-    const double weight = weights.data ? NumberAt(weights, i * weights.stride) : 0.0;
-    if (std::isfinite(x) && std::isfinite(y) && std::isfinite(weight))
-    {
-      visit(i, x, y, weight);
-    }
-    else if (count++ == 0)
-    {
-      first = i;
-    }
-  }
+      const double x = NumberAt(view, i * view.stride);
+      const double y = NumberAt(view, i * view.stride + 1);
+      const double weight = weights.data ? NumberAt(weights, i * weights.stride) : 0.0;
+      if (std::isfinite(x) && std::isfinite(y) && std::isfinite(weight))
+      {
+        visit(i, x, y, weight);
+      }
+      else if (count++ == 0)
+      {
+        first = i;
+      }
+    });
   if (count > 0 && this->Run.Options.nonFinite == flipflop::NonFinitePolicy::Error)
   {
     throw flipflop::Error(flipflop::ErrorCode::NonFinite, first, count);

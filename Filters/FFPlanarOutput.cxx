@@ -79,16 +79,14 @@ void writeCells(vtkFFPlanarAlgorithm* filter, const FFPlanarInput& input, const 
   finishIds(filter, run, output->GetPointData());
 }
 
-/// A vertex for each of so many points.
-flipflop::CellComplex verticesOf(flipflop::Buffer<std::int64_t>& ids)
+/// Vertices or edges of these corners.
+flipflop::CellComplex simplicesOf(int dimension, flipflop::Buffer<std::int64_t>&& connectivity)
 {
-  flipflop::CellComplex vertices;
-  vertices.dimension = 0;
-  vertices.cellSize = 1;
-  vertices.connectivity.allocate(ids.size());
-  std::iota(vertices.connectivity.begin(), vertices.connectivity.end(), std::int64_t(0));
-  vertices.pointIds = std::move(ids);
-  return vertices;
+  flipflop::CellComplex cells;
+  cells.dimension = dimension;
+  cells.cellSize = dimension + 1;
+  cells.connectivity = std::move(connectivity);
+  return cells;
 }
 
 /// The border of the cells: closed polylines over the points that they have.
@@ -185,16 +183,12 @@ void FFTriangulationOutput::DropByAlpha(const flipflop::PointView& points,
   }
   if (lines)
   {
-    this->Lines.dimension = 1;
-    this->Lines.cellSize = 2;
-    this->Lines.connectivity = std::move(complex.edges);
+    this->Lines = simplicesOf(1, std::move(complex.edges));
     this->LineAlphas = std::move(complex.edgeAlphas);
   }
   if (vertices)
   {
-    this->Vertices.dimension = 0;
-    this->Vertices.cellSize = 1;
-    this->Vertices.connectivity = std::move(complex.vertices);
+    this->Vertices = simplicesOf(0, std::move(complex.vertices));
     this->VertexAlphas = std::move(complex.vertexAlphas);
   }
 }
@@ -260,7 +254,10 @@ void FFTriangulationOutput::Write(FFPlanarInput& input, flipflop::Triangulation&
     }
   }
   addArrays(arrays, cells->GetCellData());
-  flipflop::CellComplex vertices = verticesOf(triangulation.hiddenIds);
+  flipflop::Buffer<std::int64_t> each(triangulation.hiddenIds.size());
+  std::iota(each.begin(), each.end(), std::int64_t(0));
+  flipflop::CellComplex vertices = simplicesOf(0, std::move(each));
+  vertices.pointIds = std::move(triangulation.hiddenIds);
   writeCells(this->Filter, input, this->Run, vertices, hidden);
   if (this->Filter->GetGenerateBoundary())
   {
