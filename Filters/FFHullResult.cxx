@@ -9,7 +9,6 @@
 
 #include <flipflop/Engines.h>
 
-#include "vtkAbstractArray.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkIdTypeArray.h"
@@ -137,11 +136,11 @@ void FFHullResult::KeepKind() const
   }
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   this->Data->GetPoints()->InsertNextPoint(nan, nan, nan);
-  for (int i = 0; i < this->Data->GetPointData()->GetNumberOfArrays(); ++i)
+  vtkPointData* const data = this->Data->GetPointData();
+  data->SetNumberOfTuples(1);
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
-    vtkAbstractArray* array = this->Data->GetPointData()->GetAbstractArray(i);
-    array->SetNumberOfTuples(1);
-    if (auto* numbers = vtkDataArray::SafeDownCast(array))
+    if (vtkDataArray* const numbers = data->GetArray(i))
     {
       numbers->Fill(0.0);
     }

@@ -49,19 +49,18 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 /// How many points a grid has: no more than an engine takes.
 std::int64_t countOf(const int* dimensions)
 {
-  constexpr std::int64_t mostPoints = 4294967294;
   if (*std::min_element(dimensions, dimensions + 3) <= 0)
   {
     return 0;
   }
+  constexpr std::int64_t limit = std::numeric_limits<std::int64_t>::max();
   const std::int64_t layer = static_cast<std::int64_t>(dimensions[0]) * dimensions[1];
-  if (layer > mostPoints / dimensions[2])
+  const std::int64_t count = layer > limit / dimensions[2] ? limit : layer * dimensions[2];
+  if (count > 4294967294)
   {
-    constexpr std::int64_t limit = std::numeric_limits<std::int64_t>::max();
-    throw flipflop::Error(flipflop::ErrorCode::TooManyPoints, -1,
-      layer > limit / dimensions[2] ? limit : layer * dimensions[2]);
+    throw flipflop::Error(flipflop::ErrorCode::TooManyPoints, -1, count);
   }
-  return layer * dimensions[2];
+  return count;
 }
 
 /// The points of a grid, each by @p position(index along each axis, xyz), on all threads.
@@ -370,8 +369,11 @@ vtkDataObject* FFInputPieces::Take(vtkInformation* input, bool isThere)
 {
   vtkExecutive* producer = nullptr;
   int port = 0;
-  vtkExecutive::PRODUCER()->Get(input, producer, port);
-  if (!isThere && producer)
+  if (!isThere && input)
+  {
+    vtkExecutive::PRODUCER()->Get(input, producer, port);
+  }
+  if (producer)
   {
     const flipflop::CallersFloatingPointEnvironment upstream;
     isThere = producer->Update(port);
@@ -383,7 +385,7 @@ vtkDataObject* FFInputPieces::Take(vtkInformation* input, bool isThere)
 vtkDataObject* FFInputPieces::Check(vtkInformation* input, bool isThere)
 {
 #if VTK_FF_HAS_CHECK_ABORT
-  if (input->Get(vtkAlgorithm::ABORTED()))
+  if (input && input->Get(vtkAlgorithm::ABORTED()))
   {
     throw flipflop::Error(flipflop::ErrorCode::Aborted);
   }

@@ -295,18 +295,9 @@ void FFOutput::AdoptCells(flipflop::CellComplex& complex, vtkPolyData* output)
     const auto offsets = adopt<vtkTypeInt64Array>(complex.offsets);
     cells->SetData(offsets.Get(), connectivity.Get());
   }
-  switch (complex.dimension)
-  {
-    case 0:
-      output->SetVerts(cells);
-      break;
-    case 1:
-      output->SetLines(cells);
-      break;
-    default:
-      output->SetPolys(cells);
-      break;
-  }
+  complex.dimension == 0     ? output->SetVerts(cells)
+    : complex.dimension == 1 ? output->SetLines(cells)
+                             : output->SetPolys(cells);
 }
 
 //------------------------------------------------------------------------------

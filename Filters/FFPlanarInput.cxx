@@ -13,7 +13,6 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkHomogeneousTransform.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointSet.h"

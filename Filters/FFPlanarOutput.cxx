@@ -149,11 +149,11 @@ std::int64_t FFTriangulationOutput::DropCells(const flipflop::PointView& points,
     this->DropByAlpha(points, weights, cells);
   }
   FFPlanarInput::DropLongCells(points, longest, this->Run.Options, cells);
-  const auto dropLongLines = [&](flipflop::CellComplex& lines)
+  if (longest > 0.0 && this->Lines.cellCount() > 0)
   {
-    flipflop::Buffer<std::uint8_t> within(static_cast<std::size_t>(lines.cellCount()));
-    flipflop::cellsWithinEdgeLength(points, lines, longest, within.data(), this->Run.Options);
-    flipflop::keepCells(lines, within.data());
+    flipflop::Buffer<std::uint8_t> within(this->LineAlphas.size());
+    flipflop::cellsWithinEdgeLength(points, this->Lines, longest, within.data(), this->Run.Options);
+    flipflop::keepCells(this->Lines, within.data());
     std::size_t remaining = 0;
     for (std::size_t i = 0; i < within.size(); ++i)
     {
@@ -161,10 +161,6 @@ std::int64_t FFTriangulationOutput::DropCells(const flipflop::PointView& points,
       remaining += within[i];
     }
     this->LineAlphas.truncate(remaining);
-  };
-  if (longest > 0.0)
-  {
-    this->WithLines(cells, dropLongLines);
   }
   return count - cells.cellCount();
 }
@@ -184,6 +180,8 @@ void FFTriangulationOutput::DropByAlpha(const flipflop::PointView& points,
   if (lines)
   {
     this->Lines = simplicesOf(1, std::move(complex.edges));
+    this->Lines.pointIds.allocate(cells.pointIds.size());
+    std::copy(cells.pointIds.begin(), cells.pointIds.end(), this->Lines.pointIds.begin());
     this->LineAlphas = std::move(complex.edgeAlphas);
   }
   if (vertices)
@@ -194,20 +192,8 @@ void FFTriangulationOutput::DropByAlpha(const flipflop::PointView& points,
 }
 
 //------------------------------------------------------------------------------
-void FFTriangulationOutput::WithLines(
-  flipflop::CellComplex& cells, const std::function<void(flipflop::CellComplex&)>& use)
-{
-  if (this->Lines.cellCount() > 0)
-  {
-    std::swap(this->Lines.pointIds, cells.pointIds);
-    use(this->Lines);
-    std::swap(this->Lines.pointIds, cells.pointIds);
-  }
-}
-
-//------------------------------------------------------------------------------
 void FFTriangulationOutput::Measure(const FFPlanarInput& input,
-  flipflop::Triangulation& triangulation, double* areas, double* centroids)
+  const flipflop::CellComplex& triangulation, double* areas, double* centroids) const
 {
   const flipflop::PointView& points = input.GetPlane();
   // A vertex is where its point is.
@@ -218,15 +204,15 @@ void FFTriangulationOutput::Measure(const FFPlanarInput& input,
     *centroids++ = FFNumberAt(points, id * points.stride);
     *centroids++ = FFNumberAt(points, id * points.stride + 1);
   }
-  this->WithLines(triangulation,
-    [&](const flipflop::CellComplex& lines)
-    { flipflop::cellMeasures(points, lines, areas, centroids, this->Run.Options); });
   // A share of a triangulation may have no cell, which the engine takes for none of its own.
-  if (triangulation.cellCount() > 0)
+  for (const flipflop::CellComplex* cells : { &this->Lines, &triangulation })
   {
-    const std::int64_t lines = this->Lines.cellCount();
-    flipflop::cellMeasures(
-      points, triangulation, areas + lines, centroids + 2 * lines, this->Run.Options);
+    if (cells->cellCount() > 0)
+    {
+      flipflop::cellMeasures(points, *cells, areas, centroids, this->Run.Options);
+      areas += cells->cellCount();
+      centroids += 2 * cells->cellCount();
+    }
   }
 }
 

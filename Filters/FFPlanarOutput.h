@@ -15,7 +15,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 
 VTK_ABI_NAMESPACE_BEGIN
 class FFPlanarInput;
@@ -55,16 +54,12 @@ public:
 private:
   void DropByAlpha(const flipflop::PointView& points, const flipflop::WeightView& weights,
     flipflop::CellComplex& cells);
-  void Measure(const FFPlanarInput& input, flipflop::Triangulation& triangulation, double* areas,
-    double* centroids);
-
-  /// Calls use(lines), if there are lines, as cells of the points of these cells.
-  void WithLines(
-    flipflop::CellComplex& cells, const std::function<void(flipflop::CellComplex&)>& use);
+  void Measure(const FFPlanarInput& input, const flipflop::CellComplex& triangulation,
+    double* areas, double* centroids) const;
 
   vtkFFRegularTriangulationFilter* const Filter;
   FFRun& Run;
-  flipflop::CellComplex Lines;
+  flipflop::CellComplex Lines; // of the cells' points
   flipflop::CellComplex Vertices;
   flipflop::Buffer<double> LineAlphas;
   flipflop::Buffer<double> VertexAlphas;

@@ -59,37 +59,36 @@ std::size_t tupleSize(vtkDataArray* array)
     (array->GetDataType() == VTK_BIT ? 1 : static_cast<std::size_t>(array->GetDataTypeSize()));
 }
 
-/// Calls move(memory, record, size) for each tuple of an array, and its bytes in a record.
-/// Returns where the next array's begin.
-template <class Char, class Move>
-Char* eachTuple(vtkDataArray* array, Char* record, std::size_t recordSize, const Move& move)
+/// The tuples of an array go into as many records. Returns where the next array's begin.
+char* pack(vtkDataArray* array, char* records, std::size_t recordSize)
 {
   const std::size_t size = tupleSize(array);
-  auto* const memory = static_cast<char*>(array->GetVoidPointer(0));
+  const vtkSmartPointer<vtkDataArray> bytes = inBytes(array);
+  const auto* const memory = static_cast<const char*>(bytes->GetVoidPointer(0));
   const auto count = static_cast<std::size_t>(array->GetNumberOfTuples());
   for (std::size_t i = 0; i < count; ++i)
   {
-    move(memory + i * size, record + i * recordSize, size);
+    std::memcpy(records + i * recordSize, memory + i * size, size);
   }
-  return record + size;
+  return records + size;
 }
 
-char* pack(vtkDataArray* array, char* records, std::size_t recordSize)
-{
-  return eachTuple(inBytes(array), records, recordSize,
-    [](const char* memory, char* record, std::size_t size) { std::memcpy(record, memory, size); });
-}
-
+/// The other way.
 const char* unpack(const char* records, std::size_t recordSize, vtkDataArray* array)
 {
+  const std::size_t size = tupleSize(array);
   const vtkSmartPointer<vtkDataArray> bytes = inBytes(array);
-  const char* const next = eachTuple(bytes, records, recordSize,
-    [](char* memory, const char* record, std::size_t size) { std::memcpy(memory, record, size); });
+  auto* const memory = static_cast<char*>(bytes->GetVoidPointer(0));
+  const auto count = static_cast<std::size_t>(array->GetNumberOfTuples());
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    std::memcpy(memory + i * size, records + i * recordSize, size);
+  }
   if (bytes != array)
   {
     array->DeepCopy(bytes);
   }
-  return next;
+  return records + size;
 }
 
 }
