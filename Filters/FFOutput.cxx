@@ -170,34 +170,40 @@ void copyPointData(const Sources& sources, vtkIdTypeArray* ids, vtkDataSetAttrib
   }
 }
 
-/// Points of these ids, of the input's type.
+/// The values of an array for these points.
+void copyValues(
+  vtkAbstractArray* from, vtkPointSet* piece, vtkIdTypeArray* which, vtkAbstractArray* to)
+{
+  for (const Share& share : sharesOf(FFOutput::DataOf({ piece }), which))
+  {
+    FFCopyTuples(from, share.From, to, share.To);
+  }
+}
+
+/// These points, in the piece's own type.
 vtkSmartPointer<vtkPoints> selectPoints(vtkPointSet* piece, vtkIdTypeArray* which)
 {
-  vtkNew<vtkPointData> from;
-  vtkNew<vtkPointData> to;
-  from->AddArray(piece->GetPoints()->GetData());
-  copyPointData({ { from, piece->GetNumberOfPoints() } }, which, to);
+  vtkDataArray* const positions = piece->GetPoints()->GetData();
+  const auto selected = makeLike(positions, which->GetNumberOfValues());
+  copyValues(positions, piece, which, selected);
   auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetData(to->GetArray(0));
+  points->SetData(vtkDataArray::SafeDownCast(selected));
   return points;
 }
 
 /// Values of a new array for these points of a source, by its array of the same name. Without one
 /// of as many components: NaN, or 0 and an empty string of types that have none.
-void fillFrom(const FFOutput::Source& source, vtkIdTypeArray* which, vtkAbstractArray* array)
+void fillFrom(vtkPointSet* source, vtkIdTypeArray* which, vtkAbstractArray* array)
 {
   array->SetNumberOfTuples(which->GetNumberOfValues());
   vtkAbstractArray* const same =
-    array->GetName() ? source.Data->GetAbstractArray(array->GetName()) : nullptr;
+    array->GetName() ? source->GetPointData()->GetAbstractArray(array->GetName()) : nullptr;
   auto* const numbers = vtkDataArray::SafeDownCast(array);
   auto* const others = vtkDataArray::SafeDownCast(same);
   const bool fits = same && same->GetNumberOfComponents() == array->GetNumberOfComponents();
   if (fits && same->GetDataType() == array->GetDataType())
   {
-    for (const Share& share : sharesOf({ source }, which))
-    {
-      FFCopyTuples(same, share.From, array, share.To);
-    }
+    copyValues(same, source, which, array);
   }
   else if (fits && numbers && others)
   {
@@ -439,8 +445,7 @@ vtkSmartPointer<vtkPolyData> FFOutput::SelectLike(
   data->InterpolateAllocate(followed->GetPointData(), ids->GetNumberOfValues());
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
-    fillFrom(
-      { source->GetPointData(), source->GetNumberOfPoints() }, ids, data->GetAbstractArray(i));
+    fillFrom(source, ids, data->GetAbstractArray(i));
   }
   return result;
 }
