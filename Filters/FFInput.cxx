@@ -109,11 +109,10 @@ vtkSmartPointer<vtkPoints> layOut(vtkImageData* image)
 }
 
 /// Reads a grid's coordinates along x, y or z.
-flipflop::Buffer<double> coordinatesOf(
-  vtkDataArray* array, int count, char axis, const std::string& ofWhat)
+void readAxis(vtkDataArray* array, int count, char axis, const std::string& ofWhat,
+  std::optional<FFWeightSource>& values)
 {
   const std::string along = std::string(1, axis) + " coordinate";
-  const std::string ofGrid = " of the vtkRectilinearGrid" + ofWhat;
   if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() < count)
   {
     throw std::runtime_error("The vtkRectilinearGrid" + ofWhat + " has " +
@@ -123,18 +122,12 @@ flipflop::Buffer<double> coordinatesOf(
   }
   try
   {
-    const FFWeightSource source(array, {}, "coordinate");
-    const flipflop::WeightView& view = source.GetView();
-    flipflop::Buffer<double> values(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i)
-    {
-      values[static_cast<std::size_t>(i)] = FFNumberAt(view, i);
-    }
-    return values;
+    values.emplace(array, flipflop::WeightRule(), "coordinate");
   }
   catch (const FFInexactValue& error)
   {
-    throw std::runtime_error("The " + along + " " + std::to_string(error.GetIndex()) + ofGrid +
+    throw std::runtime_error("The " + along + " " + std::to_string(error.GetIndex()) +
+      " of the vtkRectilinearGrid" + ofWhat +
       " is a 64-bit integer that no double holds. Subtract an offset from all: the result has the "
       "same shape.");
   }
@@ -149,18 +142,18 @@ vtkSmartPointer<vtkPoints> layOut(vtkRectilinearGrid* grid, const std::string& o
   }
   vtkDataArray* const arrays[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
     grid->GetZCoordinates() };
-  flipflop::Buffer<double> values[3];
+  std::optional<FFWeightSource> values[3];
   bool areFloats = true;
   for (int axis = 0; axis < 3; ++axis)
   {
-    values[axis] = coordinatesOf(arrays[axis], dimensions[axis], "xyz"[axis], ofWhat);
+    readAxis(arrays[axis], dimensions[axis], "xyz"[axis], ofWhat, values[axis]);
     areFloats = areFloats && arrays[axis]->GetDataType() == VTK_FLOAT;
   }
   const auto position = [&](const int* at, double* xyz)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      xyz[axis] = values[axis][static_cast<std::size_t>(at[axis])];
+      xyz[axis] = FFNumberAt(values[axis]->GetView(), at[axis]);
     }
   };
   return areFloats ? layOut<vtkFloatArray>(dimensions, position)

@@ -131,6 +131,11 @@ std::deque<Share> sharesOf(const Sources& sources, vtkIdTypeArray* ids)
 /// PassPointData() with all attributes.
 void copyPointData(const Sources& sources, vtkIdTypeArray* ids, vtkDataSetAttributes* output)
 {
+  if (std::all_of(sources.begin(), sources.end(),
+        [](const FFOutput::Source& source) { return source.Data->GetNumberOfArrays() == 0; }))
+  {
+    return;
+  }
   const std::deque<Share> shares = sharesOf(sources, ids);
   vtkPointData* const leader = shares.empty() ? nullptr : shares[0].Data;
   for (int i = 0; leader && i < leader->GetNumberOfArrays(); ++i)

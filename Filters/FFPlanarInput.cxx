@@ -251,15 +251,15 @@ void FFPlanarInput::Report(const flipflop::CellComplex& cells, std::optional<std
   this->Run.AddToReport(cells, output);
   this->Run.Report.NumberOfHiddenPoints = static_cast<vtkIdType>(hidden.value_or(0));
   this->Run.Report.NumberOfDroppedCells = static_cast<vtkIdType>(dropped.value_or(0));
-  const auto add = [&](const char* name, std::optional<std::int64_t> count)
+  const bool asFieldData = this->Run.ReportsAsFieldData;
+  if (asFieldData && hidden)
   {
-    if (this->Run.ReportsAsFieldData && count)
-    {
-      FFOutput::AddValue(output->GetFieldData(), name, *count);
-    }
-  };
-  add("FlipFlopHiddenPoints", hidden);
-  add("FlipFlopDroppedCells", dropped);
+    FFOutput::AddValue(output->GetFieldData(), "FlipFlopHiddenPoints", *hidden);
+  }
+  if (asFieldData && dropped)
+  {
+    FFOutput::AddValue(output->GetFieldData(), "FlipFlopDroppedCells", *dropped);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -99,7 +99,8 @@ FFPointRecords::FFPointRecords(vtkPointSet* kind, bool withData)
 {
   if (withData)
   {
-    FFOutput::PassPointData(FFOutput::DataOf({ kind }), vtkNew<vtkIdTypeArray>(), this->Like);
+    vtkNew<vtkIdTypeArray> none;
+    FFOutput::PassPointData(FFOutput::DataOf({ kind }), none, this->Like);
   }
   for (int i = this->Like->GetNumberOfArrays() - 1; i >= 0; --i)
   {
