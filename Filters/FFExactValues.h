@@ -34,9 +34,7 @@ class vtkIdList;
 class vtkPointSet;
 class vtkPoints;
 
-/**
- * Thrown for a value that no double holds: what a value is, "coordinate", and which point's.
- */
+/// Thrown for a value that no double holds: what a value is, "coordinate", and which point's.
 class FFInexactValue : public std::exception
 {
 public:
@@ -54,15 +52,11 @@ private:
   vtkIdType Index;
 };
 
-/**
- * Copy tuples between arrays of one type. VTK's own copies round 64-bit integers of some layouts.
- */
+/// Copy tuples between arrays of one type. VTK's own copies round 64-bit integers of some layouts.
 void FFCopyTuples(
   vtkAbstractArray* from, vtkIdList* fromIds, vtkAbstractArray* to, vtkIdList* toIds);
 
-/**
- * Number i of the memory of a view of points or weights.
- */
+/// Number i of the memory of a view of points or weights.
 template <class View>
 double FFNumberAt(const View& view, std::int64_t i)
 {
@@ -70,9 +64,7 @@ double FFNumberAt(const View& view, std::int64_t i)
                                                     : static_cast<const double*>(view.data)[i];
 }
 
-/**
- * The values of arrays as a view of the engine's, with as many components as its stride.
- */
+/// The values of arrays as a view of the engine's, with as many components as its stride.
 template <class View>
 class FFValueSource
 {
@@ -81,9 +73,7 @@ public:
   FFValueSource(const FFValueSource&) = delete;
   void operator=(const FFValueSource&) = delete;
 
-  /**
-   * All values; valid as long as this object and the arrays exist.
-   */
+  /// All values; valid as long as this object and the arrays exist.
   const View& GetView() const { return this->Values; }
 
 protected:
@@ -96,24 +86,18 @@ protected:
   flipflop::Buffer<double> Doubles;
 };
 
-/**
- * The points of an array, or of several data sets, one after another. Null arrays hold no point.
- */
+/// The points of an array, or of several data sets, one after another. Null arrays hold no point.
 class FFPointSource : public FFValueSource<flipflop::PointView>
 {
 public:
   explicit FFPointSource(vtkDataArray* array);
   explicit FFPointSource(const std::vector<vtkPointSet*>& pieces);
 
-  /**
-   * The points that @p ids names, in the type of the arrays, with their bits.
-   */
+  /// The points that @p ids names, in the type of the arrays, with their bits.
   vtkSmartPointer<vtkPoints> Gather(const std::int64_t* ids, vtkIdType count) const;
 };
 
-/**
- * The weights by the values of an array of one component, or the values of another noun.
- */
+/// The weights by the values of an array of one component, or the values of another noun.
 class FFWeightSource : public FFValueSource<flipflop::WeightView>
 {
 public:

@@ -43,16 +43,12 @@ struct FFHullResult
    */
   void Take(const FFInput& input, bool passPointData, FFRun& run);
 
-  /**
-   * Become the hull of hulls, whose ids it takes over. Points were counted where they came from.
-   */
+  /// Become the hull of hulls, whose ids it takes over. Points were counted where they came from.
   void Join(const std::vector<FFHullResult>& hulls, FFRun& run);
 
-  /**
-   * Points that are not finite have a say in the type of the points and in what data is passed,
-   * even if none are left in their hull. One of their kind then speaks for them in the next Join(),
-   * where it is left out again.
-   */
+  /// Points that are not finite have a say in the type of the points and in what data is passed,
+  /// even if none are left in their hull. One of their kind then speaks for them in the next
+  /// Join(), where it is left out again.
   void KeepKind() const;
 
 private:
@@ -60,17 +56,13 @@ private:
     const std::function<vtkIdType(vtkIdType)>& idOf, FFRun& run);
 };
 
-/**
- * An input in pieces, of which one is in memory at a time. The executive brings the first piece to
- * RequestData(), FFInputPieces the others.
- */
+/// An input in pieces, of which one is in memory at a time. The executive brings the first piece to
+/// RequestData(), FFInputPieces the others.
 class FFHullStream
 {
 public:
-  /**
-   * Have the next update upstream bring one of so many divisions of the piece that @p output is
-   * asked for, from 0 on. A null input is left alone.
-   */
+  /// Have the next update upstream bring one of so many divisions of the piece that @p output is
+  /// asked for, from 0 on. A null input is left alone.
   static void RequestPiece(
     vtkInformation* input, vtkInformation* output, int divisions, int number);
 
@@ -83,15 +75,11 @@ public:
   FFHullStream(vtkFFHullFilter* filter, vtkInformation* input, vtkInformation* output, FFRun& run,
     const std::string& ofProcess = {});
 
-  /**
-   * How many pieces there are: 1 if nobody upstream can deliver pieces.
-   */
+  /// How many pieces there are: 1 if nobody upstream can deliver pieces.
   int GetCount() const { return this->Count; }
 
-  /**
-   * Read a piece, from 0 on, and add it to the hull of those before. What goes wrong is the run's
-   * failure, and names the piece.
-   */
+  /// Read a piece, from 0 on, and add it to the hull of those before. What goes wrong is the run's
+  /// failure, and names the piece.
   void TakePiece(int number, FFHullResult& whole);
 
 private:

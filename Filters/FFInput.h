@@ -26,10 +26,8 @@ class FFRun;
 class vtkInformation;
 class vtkPointSet;
 
-/**
- * The points of a data set, or those of several, one after another: without ghost points, if these
- * are to be skipped. The run gets their ids.
- */
+/// The points of a data set, or those of several, one after another: without ghost points, if these
+/// are to be skipped. The run gets their ids.
 class FFInput
 {
 public:
@@ -47,9 +45,7 @@ public:
    */
   static vtkSmartPointer<vtkPointSet> PointsOf(vtkDataObject* data, const std::string& ofWhat);
 
-  /**
-   * Ask for all of an input, whatever part of an output is asked for. Null: there is none.
-   */
+  /// Ask for all of an input, whatever part of an output is asked for. Null: there is none.
   static void RequestAll(vtkInformation* input);
 
   /**
@@ -63,9 +59,7 @@ public:
     const std::string& ofInput = {});
 
   ///@{
-  /**
-   * The parts of Take(), for points whose ids are known only once those of others are counted.
-   */
+  /// The parts of Take(), for points whose ids are known only once those of others are counted.
   vtkIdType TakePieces(const std::vector<PieceType>& pieces, bool skipGhosts, FFRun& run,
     const std::string& ofInput = {});
   void TakeCoordinates();
@@ -75,9 +69,7 @@ public:
   const FFPointSource& GetPoints() const { return *this->Points; }
 
   ///@{
-  /**
-   * The pieces, without the ghosts; and their point data.
-   */
+  /// The pieces, without the ghosts; and their point data.
   const std::vector<vtkSmartPointer<vtkPointSet>>& GetPieces() const { return this->Pieces; }
   std::vector<FFOutput::Source> GetPointData() const;
   ///@}
@@ -87,22 +79,16 @@ private:
   std::optional<FFPointSource> Points;
 };
 
-/**
- * VTK's own streamers have their executive run them once for each piece (CONTINUE_EXECUTING); that
- * loops for ever where the input fails at a later piece.
- */
+/// VTK's own streamers have their executive run them once for each piece (CONTINUE_EXECUTING); that
+/// loops for ever where the input fails at a later piece.
 namespace FFInputPieces
 {
 
-/**
- * How many pieces there will be where so many are wanted: one, if nothing upstream can deliver
- * pieces.
- */
+/// How many pieces there will be where so many are wanted: one, if nothing upstream can deliver
+/// pieces.
 int Count(vtkInformation* input, int wanted);
 
-/**
- * Have the next update upstream bring a piece, from 0 on, of so many.
- */
+/// Have the next update upstream bring a piece, from 0 on, of so many.
 void Request(vtkInformation* input, int piece, int count);
 
 ///@{

@@ -39,9 +39,7 @@ class vtkPolyData;
 namespace FFOutput
 {
 
-/**
- * A source of point data: the data itself, and how many points it belongs to.
- */
+/// A source of point data: the data itself, and how many points it belongs to.
 struct Source
 {
   vtkPointData* Data;
@@ -49,38 +47,28 @@ struct Source
 };
 std::vector<Source> DataOf(const std::vector<vtkPointSet*>& pieces);
 
-/**
- * A complete result as a poly data: points, cells, point data, ids. If @p data is empty, no point
- * data is passed. Returns the ids.
- */
+/// A complete result as a poly data: points, cells, point data, ids. If @p data is empty, no point
+/// data is passed. Returns the ids.
 vtkSmartPointer<vtkIdTypeArray> Adopt(flipflop::CellComplex& cells, const FFPointSource& points,
   const std::vector<Source>& data, vtkPolyData* output);
 
 ///@{
-/**
- * Ids as an array, which takes them over; and that as the array vtkOriginalPointIds of point (or
- * cell) data; each of these replaced by @p idOf(id), if there are some; and the array a second
- * time, as OriginalPointIds.
- */
+/// Ids as an array, which takes them over; and that as the array vtkOriginalPointIds of point (or
+/// cell) data; each of these replaced by @p idOf(id), if there are some; and the array a second
+/// time, as OriginalPointIds.
 vtkSmartPointer<vtkIdTypeArray> AdoptIds(flipflop::Buffer<std::int64_t>& ids);
 void AddIds(vtkIdTypeArray* ids, vtkDataSetAttributes* output);
 void Renumber(vtkDataSetAttributes* output, const std::function<vtkIdType(vtkIdType)>& idOf);
 void ShowIds(vtkDataSetAttributes* output);
 ///@}
 
-/**
- * Make the cells vertices, lines or polygons of @p output, which takes them over.
- */
+/// Make the cells vertices, lines or polygons of @p output, which takes them over.
 void AdoptCells(flipflop::CellComplex& cells, vtkPolyData* output);
 
-/**
- * The other way: connectivity and offsets of cells, whatever integers these have.
- */
+/// The other way: connectivity and offsets of cells, whatever integers these have.
 void CopyCells(vtkCellArray* cells, flipflop::CellComplex& complex);
 
-/**
- * Turn polygons of an output, which the engine gave, into the triangles that it would give.
- */
+/// Turn polygons of an output, which the engine gave, into the triangles that it would give.
 void FanPolygons(vtkPolyData* output);
 
 /**
@@ -97,10 +85,8 @@ void PassPointData(
   const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkDataSetAttributes* output);
 
 ///@{
-/**
- * Pass the field data of an input, if it has some, as the executive does; remove the arrays whose
- * names begin with FlipFlop, the reports of filters upstream; add an array of one value.
- */
+/// Pass the field data of an input, if it has some, as the executive does; remove the arrays whose
+/// names begin with FlipFlop, the reports of filters upstream; add an array of one value.
 void PassFieldData(vtkDataObject* input, vtkDataObject* output);
 void RemoveReport(vtkFieldData* data);
 void AddValue(vtkFieldData* output, const char* name, const vtkVariant& value);
@@ -115,16 +101,12 @@ void AddValue(vtkFieldData* output, const char* name, const vtkVariant& value);
  */
 vtkSmartPointer<vtkPointSet> Append(const std::vector<vtkPointSet*>& pieces, vtkIdType leftOut = 0);
 
-/**
- * Some points of a piece, by ascending ids, with their point data.
- */
+/// Some points of a piece, by ascending ids, with their point data.
 vtkSmartPointer<vtkPointSet> Select(vtkPointSet* piece, vtkIdTypeArray* which);
 
-/**
- * These points of a source, with the arrays of point data that those have which they are to
- * follow, but global ids. Values are those of the source's array of the same name and number of
- * components; without one, NaN, or 0 and an empty string of types that have none.
- */
+/// These points of a source, with the arrays of point data that those have which they are to
+/// follow, but global ids. Values are those of the source's array of the same name and number of
+/// components; without one, NaN, or 0 and an empty string of types that have none.
 vtkSmartPointer<vtkPolyData> SelectLike(
   vtkPointSet* followed, vtkPolyData* source, const flipflop::Buffer<std::int64_t>& which);
 

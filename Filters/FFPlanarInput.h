@@ -85,9 +85,7 @@ public:
   const flipflop::PointView& GetPlane() const { return this->Plane; }
   const flipflop::WeightView& GetWeights() const { return this->Weights->GetView(); }
 
-  /**
-   * The point data of an output, if it is to be passed.
-   */
+  /// The point data of an output, if it is to be passed.
   std::vector<FFOutput::Source> GetPointData() const;
 
   template <class View>
@@ -106,10 +104,8 @@ public:
   std::int64_t VisitPoints(const PointVisitor& visit) const;
 
   ///@{
-  /**
-   * Whether the plane is the XY plane; then it lies at a height, 0 by default: this one, or that of
-   * the lowest point that is in a triangulation or hidden.
-   */
+  /// Whether the plane is the XY plane; then it lies at a height, 0 by default: this one, or that
+  /// of the lowest point that is in a triangulation or hidden.
   bool IsXYPlane() const { return !this->Fitted && !this->Transform; }
   const std::optional<flipflop::FittedPlane>& GetFittedPlane() const { return this->Fitted; }
   void SetHeight(double z) { this->Height = z; }
@@ -126,10 +122,8 @@ public:
   vtkSmartPointer<vtkDoubleArray> ToSpace(
     const flipflop::Buffer<double>& xy, const char* what) const;
 
-  /**
-   * Add to what the filter reports: the triangulation, and how many of its points are hidden and
-   * how many of its cells were excluded; none of a number that the filter does not report.
-   */
+  /// Add to what the filter reports: the triangulation, and how many of its points are hidden and
+  /// how many of its cells were excluded; none of a number that the filter does not report.
   void Report(const flipflop::CellComplex& cells, std::optional<std::int64_t> hidden,
     std::optional<std::int64_t> dropped, vtkDataObject* output) const;
 
@@ -142,10 +136,8 @@ public:
     const flipflop::Options& options, flipflop::CellComplex& cells);
 
   ///@{
-  /**
-   * A line in the XY plane may be a plane in space: then a warning says so. And its parts: the hull
-   * of points in space; the warning.
-   */
+  /// A line in the XY plane may be a plane in space: then a warning says so. And its parts: the
+  /// hull of points in space; the warning.
   void LookForVerticalPlane(const flipflop::Triangulation& triangulation) const;
   static flipflop::Hull HullInSpace(
     const std::vector<std::array<double, 3>>& points, const flipflop::Options& options);

@@ -23,11 +23,9 @@ class vtkFFRegularTriangulationFilter;
 class FFRun;
 class vtkPolyData;
 
-/**
- * Excludes cells, as the filter's properties say, and makes the rest the filter's outputs. Of an
- * alpha complex, the edges and points that remain are lines and vertices of the same output. Cell
- * arrays go over all cells in VTK's order: vertices, lines, polygons.
- */
+/// Excludes cells, as the filter's properties say, and makes the rest the filter's outputs. Of an
+/// alpha complex, the edges and points that remain are lines and vertices of the same output. Cell
+/// arrays go over all cells in VTK's order: vertices, lines, polygons.
 class FFTriangulationOutput
 {
 public:
@@ -45,9 +43,7 @@ public:
   std::int64_t DropCells(const flipflop::PointView& points, const flipflop::WeightView& weights,
     flipflop::CellComplex& cells);
 
-  /**
-   * The triangulation of the input, the hidden points and the border become outputs.
-   */
+  /// The triangulation of the input, the hidden points and the border become outputs.
   void Write(FFPlanarInput& input, flipflop::Triangulation& triangulation, vtkPolyData* cells,
     vtkPolyData* hidden, vtkPolyData* border);
 
@@ -73,15 +69,11 @@ namespace FFPowerCells
  */
 void CheckBox(vtkFFPowerDiagramFilter* filter);
 
-/**
- * The box that the filter asks for.
- */
+/// The box that the filter asks for.
 std::array<double, 4> FindBox(vtkFFPowerDiagramFilter* filter, const flipflop::PointView& points,
   const flipflop::Triangulation& triangulation);
 
-/**
- * The diagram of the input's points becomes the output.
- */
+/// The diagram of the input's points becomes the output.
 void Write(vtkFFPowerDiagramFilter* filter, FFPlanarInput& input, flipflop::PowerDiagram& diagram,
   FFRun& run, vtkPolyData* output);
 

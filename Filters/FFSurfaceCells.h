@@ -59,9 +59,7 @@ public:
   FFSurfaceCells(const FFSurfaceCells&) = delete;
   void operator=(const FFSurfaceCells&) = delete;
 
-  /**
-   * The triangles; valid as long as this object and the surface exist.
-   */
+  /// The triangles; valid as long as this object and the surface exist.
   const flipflop::TriangleView& GetView() const { return this->View; }
 
   /**
