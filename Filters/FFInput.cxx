@@ -2,21 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FFInput.h"
 
-#include "FFExactValues.h"
-#include "FFOutput.h"
 #include "FFRun.h"
 
 #include "Support/FloatingPointEnvironment.h"
 #include <flipflop/Buffer.h>
+#include <flipflop/Error.h>
 
+#include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
-#include "vtkDataSet.h"
+#include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationExecutivePortKey.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -25,57 +28,59 @@
 #include "vtkRectilinearGrid.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
+#include <functional>
 #include <limits>
+#include <numeric>
+#include <set>
 #include <stdexcept>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
-vtkDataArray* coordinatesOf(vtkPointSet* piece)
-{
-  return piece->GetPoints() ? piece->GetPoints()->GetData() : nullptr;
-}
+using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-constexpr std::int64_t mostPoints = 4294967294; // what an engine takes
-
-/// How many points a grid has.
+/// How many points a grid has: no more than an engine takes.
 std::int64_t countOf(const int* dimensions)
 {
   if (*std::min_element(dimensions, dimensions + 3) <= 0)
   {
     return 0;
   }
+  constexpr std::int64_t limit = std::numeric_limits<std::int64_t>::max();
   const std::int64_t layer = static_cast<std::int64_t>(dimensions[0]) * dimensions[1];
-  if (layer > mostPoints / dimensions[2])
+  const std::int64_t count = layer > limit / dimensions[2] ? limit : layer * dimensions[2];
+  if (count > 4294967294)
   {
-    constexpr std::int64_t limit = std::numeric_limits<std::int64_t>::max();
-    throw flipflop::Error(flipflop::ErrorCode::TooManyPoints, -1,
-      layer > limit / dimensions[2] ? limit : layer * dimensions[2]);
+    throw flipflop::Error(flipflop::ErrorCode::TooManyPoints, -1, count);
   }
-  return layer * dimensions[2];
+  return count;
 }
 
-/// So many points of a grid, each by @p position(i, xyz), on all threads.
+/// The points of a grid, each by @p position(index along each axis, xyz), on all threads.
 template <class ArrayT, class Position>
-vtkSmartPointer<vtkPoints> layOut(std::int64_t count, const Position& position)
+vtkSmartPointer<vtkPoints> layOut(const int* dimensions, const Position& position)
 {
   using Value = typename ArrayT::ValueType;
+  const auto count = static_cast<vtkIdType>(countOf(dimensions));
   flipflop::Buffer<Value> values(3 * static_cast<std::size_t>(count));
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1 << 14,
+  vtkSMPTools::For(0, count, 1 << 14,
     [&](vtkIdType begin, vtkIdType end)
     {
       const flipflop::DefaultFloatingPointEnvironment environment; // VTK's threads have their own
       double xyz[3];
       for (vtkIdType i = begin; i < end; ++i)
       {
-        position(i, xyz);
+        const vtkIdType row = i / dimensions[0];
+        const int at[3] = { static_cast<int>(i % dimensions[0]),
+          static_cast<int>(row % dimensions[1]), static_cast<int>(row / dimensions[1]) };
+        position(at, xyz);
         std::transform(xyz, xyz + 3, values.data() + 3 * i,
           [](double value) { return static_cast<Value>(value); });
       }
@@ -84,16 +89,28 @@ vtkSmartPointer<vtkPoints> layOut(std::int64_t count, const Position& position)
   array->SetNumberOfComponents(3);
   if (count > 0)
   {
-    array->SetArray(values.release(), static_cast<vtkIdType>(3 * count), 0,
-      vtkAbstractArray::VTK_DATA_ARRAY_ALIGNED_FREE);
+    array->SetArray(values.release(), 3 * count, 0, ArrayT::VTK_DATA_ARRAY_ALIGNED_FREE);
   }
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetData(array);
   return points;
 }
 
-/// Checks a grid's coordinates along x, y or z.
-void checkCoordinates(vtkDataArray* array, int count, char axis, const std::string& ofWhat)
+/// GetPoint() of an image has other bits in VTK 9.6 than before.
+vtkSmartPointer<vtkPoints> layOut(vtkImageData* image)
+{
+  const int* const extent = image->GetExtent();
+  return layOut<vtkDoubleArray>(image->GetDimensions(),
+    [&](const int* at, double* xyz)
+    {
+      image->TransformIndexToPhysicalPoint(
+        extent[0] + at[0], extent[2] + at[1], extent[4] + at[2], xyz);
+    });
+}
+
+/// Reads a grid's coordinates along x, y or z.
+void readAxis(vtkDataArray* array, int count, char axis, const std::string& ofWhat,
+  std::optional<FFWeightSource>& values)
 {
   const std::string along = std::string(1, axis) + " coordinate";
   if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() < count)
@@ -105,8 +122,7 @@ void checkCoordinates(vtkDataArray* array, int count, char axis, const std::stri
   }
   try
   {
-    flipflop::Buffer<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
-    FFExactValues::Copy<1>(array, "coordinate", 0, values.data());
+    values.emplace(array, flipflop::WeightRule(), "coordinate");
   }
   catch (const FFInexactValue& error)
   {
@@ -117,50 +133,37 @@ void checkCoordinates(vtkDataArray* array, int count, char axis, const std::stri
   }
 }
 
-/// GetPoint() of an image has other bits in VTK 9.6 than before.
-vtkSmartPointer<vtkPoints> layOut(vtkImageData* image)
-{
-  int extent[6];
-  int dimensions[3];
-  image->GetExtent(extent);
-  image->GetDimensions(dimensions);
-  return layOut<vtkDoubleArray>(countOf(dimensions),
-    [&](vtkIdType id, double* xyz)
-    {
-      const vtkIdType row = id / dimensions[0];
-      image->TransformIndexToPhysicalPoint(extent[0] + static_cast<int>(id % dimensions[0]),
-        extent[2] + static_cast<int>(row % dimensions[1]),
-        extent[4] + static_cast<int>(row / dimensions[1]), xyz);
-    });
-}
-
 vtkSmartPointer<vtkPoints> layOut(vtkRectilinearGrid* grid, const std::string& ofWhat)
 {
-  int dimensions[3];
-  grid->GetDimensions(dimensions);
-  const std::int64_t count = countOf(dimensions);
-  if (count == 0)
+  const int* const dimensions = grid->GetDimensions();
+  if (countOf(dimensions) == 0)
   {
     return vtkSmartPointer<vtkPoints>::New();
   }
   vtkDataArray* const arrays[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
     grid->GetZCoordinates() };
+  std::optional<FFWeightSource> values[3];
+  bool areFloats = true;
   for (int axis = 0; axis < 3; ++axis)
   {
-    checkCoordinates(arrays[axis], dimensions[axis], "xyz"[axis], ofWhat);
+    readAxis(arrays[axis], dimensions[axis], "xyz"[axis], ofWhat, values[axis]);
+    areFloats = areFloats && arrays[axis]->GetDataType() == VTK_FLOAT;
   }
-  grid->GetPoint(0); // newer VTK makes what it needs in the first call
-  const auto position = [&](vtkIdType id, double* xyz) { grid->GetPoint(id, xyz); };
-  return std::all_of(
-           arrays, arrays + 3, [](auto* array) { return array->GetDataType() == VTK_FLOAT; })
-    ? layOut<vtkFloatArray>(count, position)
-    : layOut<vtkDoubleArray>(count, position);
+  const auto position = [&](const int* at, double* xyz)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      xyz[axis] = FFNumberAt(values[axis]->GetView(), at[axis]);
+    }
+  };
+  return areFloats ? layOut<vtkFloatArray>(dimensions, position)
+                   : layOut<vtkDoubleArray>(dimensions, position);
 }
 
-/// The points that are no ghosts; null: all.
+/// The points that are no duplicates of another piece's, and not hidden; null: all.
 vtkSmartPointer<vtkIdTypeArray> idsWithoutGhosts(vtkPointSet* piece)
 {
-  vtkUnsignedCharArray* marks = piece->GetPointGhostArray();
+  vtkUnsignedCharArray* const marks = piece->GetPointGhostArray();
   const vtkIdType count = piece->GetNumberOfPoints();
   if (!marks || count == 0)
   {
@@ -183,6 +186,59 @@ vtkSmartPointer<vtkIdTypeArray> idsWithoutGhosts(vtkPointSet* piece)
     }
   }
   return ids->GetNumberOfValues() < count ? ids : nullptr;
+}
+
+/// Leaves out the ghosts among the pieces' points. Returns the ids of the others among all points;
+/// none, if all remain.
+std::vector<vtkIdType> skipGhosts(std::vector<vtkSmartPointer<vtkPointSet>>& pieces)
+{
+  std::vector<vtkIdType> ids;
+  bool areSome = false;
+  vtkIdType begin = 0;
+  for (auto& piece : pieces)
+  {
+    const vtkIdType size = piece->GetNumberOfPoints();
+    const auto own = idsWithoutGhosts(piece);
+    if (own && !areSome)
+    {
+      areSome = true;
+      ids.resize(static_cast<std::size_t>(begin));
+      std::iota(ids.begin(), ids.end(), vtkIdType(0));
+    }
+    for (vtkIdType i = 0; areSome && i < (own ? own->GetNumberOfValues() : size); ++i)
+    {
+      ids.push_back(begin + (own ? own->GetValue(i) : i));
+    }
+    piece = own ? FFOutput::Select(piece, own) : piece;
+    begin += size;
+  }
+  return ids;
+}
+
+/// Whether some algorithm that the data of this information comes from is such a one.
+using Test = std::function<bool(vtkAlgorithm* algorithm, vtkInformation* output)>;
+bool anyUpstream(vtkInformation* info, const Test& isSuch, std::set<vtkExecutive*>& visited)
+{
+  vtkExecutive* producer = nullptr;
+  int port = 0;
+  if (info)
+  {
+    vtkExecutive::PRODUCER()->Get(info, producer, port);
+  }
+  if (!producer || !visited.insert(producer).second)
+  {
+    return false;
+  }
+  vtkAlgorithm* const algorithm = producer->GetAlgorithm();
+  bool isFound = isSuch(algorithm, info);
+  for (int i = 0; i < algorithm->GetNumberOfInputPorts(); ++i)
+  {
+    for (int k = 0; !isFound && k < algorithm->GetNumberOfInputConnections(i); ++k)
+    {
+      isFound = anyUpstream(producer->GetInputInformation(i, k), isSuch, visited);
+    }
+  }
+  return isFound;
 }
 
 }
@@ -211,7 +267,6 @@ vtkSmartPointer<vtkPointSet> FFInput::PointsOf(vtkDataObject* data, const std::s
 //------------------------------------------------------------------------------
 void FFInput::RequestAll(vtkInformation* input)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   if (!input)
   {
     return;
@@ -221,8 +276,7 @@ void FFInput::RequestAll(vtkInformation* input)
   {
     input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
-  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  FFInputPieces::Request(input, 0, 1);
   input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
 }
 
@@ -236,8 +290,8 @@ vtkIdType FFInput::Take(
 }
 
 //------------------------------------------------------------------------------
-vtkIdType FFInput::TakePieces(
-  const std::vector<PieceType>& pieces, bool skipGhosts, FFRun& run, const std::string& ofInput)
+vtkIdType FFInput::TakePieces(const std::vector<PieceType>& pieces, bool areGhostsSkipped,
+  FFRun& run, const std::string& ofInput)
 {
   vtkIdType count = 0;
   for (const PieceType& piece : pieces)
@@ -248,11 +302,12 @@ vtkIdType FFInput::TakePieces(
                         : ofInput;
     this->Pieces.push_back(PointsOf(piece.Data, ofWhat));
     vtkPointSet* const points = this->Pieces.back();
-    vtkDataArray* const array = coordinatesOf(points);
-    if (array && array->GetNumberOfComponents() != 3)
+    const int size =
+      points->GetPoints() ? points->GetPoints()->GetData()->GetNumberOfComponents() : 3;
+    if (size != 3)
     {
-      throw std::runtime_error("The points" + ofWhat + " have " +
-        std::to_string(array->GetNumberOfComponents()) + " coordinates each; a point has 3.");
+      throw std::runtime_error("The points" + ofWhat + " have " + std::to_string(size) +
+        " coordinates each; a point has 3.");
     }
     count += points->GetNumberOfPoints();
     if (piece.FlatIndex > 0 || !ofInput.empty())
@@ -260,9 +315,9 @@ vtkIdType FFInput::TakePieces(
       run.Parts.push_back({ points->GetNumberOfPoints(), ofWhat, piece.FlatIndex });
     }
   }
-  if (skipGhosts)
+  if (areGhostsSkipped)
   {
-    run.Ids = this->SkipGhosts();
+    run.Ids = skipGhosts(this->Pieces);
   }
   return count;
 }
@@ -270,51 +325,84 @@ vtkIdType FFInput::TakePieces(
 //------------------------------------------------------------------------------
 void FFInput::TakeCoordinates()
 {
-  std::vector<vtkDataArray*> arrays;
-  for (vtkPointSet* piece : this->Pieces)
-  {
-    arrays.push_back(coordinatesOf(piece));
-  }
-  this->Points.emplace(arrays);
+  this->Points.emplace(std::vector<vtkPointSet*>(this->Pieces.begin(), this->Pieces.end()));
 }
 
 //------------------------------------------------------------------------------
 std::vector<FFOutput::Source> FFInput::GetPointData() const
 {
-  std::vector<FFOutput::Source> data;
-  for (vtkPointSet* piece : this->Pieces)
-  {
-    data.push_back({ piece->GetPointData(), piece->GetNumberOfPoints() });
-  }
-  return data;
+  return FFOutput::DataOf({ this->Pieces.begin(), this->Pieces.end() });
 }
+
 //------------------------------------------------------------------------------
-std::vector<vtkIdType> FFInput::SkipGhosts()
+int FFInputPieces::Count(vtkInformation* input, int wanted)
 {
-  std::vector<vtkSmartPointer<vtkIdTypeArray>> remaining;
-  std::transform(
-    this->Pieces.begin(), this->Pieces.end(), std::back_inserter(remaining), idsWithoutGhosts);
-  std::vector<vtkIdType> ids;
-  if (std::none_of(remaining.begin(), remaining.end(), [](auto& array) { return array.Get(); }))
+  // The executive asks sources that cannot deliver pieces for the first alone, and leaves that in
+  // place of the others. What was set as data says that it can, and gives all for each piece.
+  const auto canDeliver = [](vtkAlgorithm* algorithm, vtkInformation* output)
   {
-    return ids;
-  }
-  vtkIdType begin = 0;
-  for (std::size_t k = 0; k < remaining.size(); ++k)
+    return algorithm->GetTotalNumberOfInputConnections() == 0 &&
+      !vtkTrivialProducer::SafeDownCast(algorithm) &&
+      (output->Get(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST()) ||
+        output->Get(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT()));
+  };
+  std::set<vtkExecutive*> visited;
+  return anyUpstream(input, canDeliver, visited) ? wanted : 1;
+}
+
+//------------------------------------------------------------------------------
+void FFInputPieces::Request(vtkInformation* input, int piece, int count)
+{
+  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
+  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), count);
+}
+
+//------------------------------------------------------------------------------
+vtkDataObject* FFInputPieces::Take(vtkInformation* input, bool isThere)
+{
+  vtkExecutive* producer = nullptr;
+  int port = 0;
+  if (!isThere && input)
   {
-    const vtkIdType size = this->Pieces[k]->GetNumberOfPoints();
-    vtkIdTypeArray* const own = remaining[k];
-    const vtkIdType count = own ? own->GetNumberOfValues() : size;
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      ids.push_back(begin + (own ? own->GetValue(i) : i));
-    }
-    if (own)
-    {
-      this->Pieces[k] = FFOutput::Select(this->Pieces[k], own);
-    }
-    begin += size;
+    vtkExecutive::PRODUCER()->Get(input, producer, port);
   }
-  return ids;
+  if (producer)
+  {
+    const flipflop::CallersFloatingPointEnvironment upstream;
+    isThere = producer->Update(port);
+  }
+  return Check(input, isThere);
+}
+
+//------------------------------------------------------------------------------
+vtkDataObject* FFInputPieces::Check(vtkInformation* input, bool isThere)
+{
+#if VTK_FF_HAS_CHECK_ABORT
+  if (input && input->Get(vtkAlgorithm::ABORTED()))
+  {
+    throw flipflop::Error(flipflop::ErrorCode::Aborted);
+  }
+#endif
+  vtkDataObject* const piece = isThere ? vtkDataObject::GetData(input) : nullptr;
+  if (!piece)
+  {
+    // VTK takes an algorithm that failed for one that is up to date, without data, until it is
+    // modified.
+    const auto forgetFailure = [](vtkAlgorithm* algorithm, vtkInformation*)
+    {
+      algorithm->Modified();
+      return false;
+    };
+    std::set<vtkExecutive*> visited;
+    anyUpstream(input, forgetFailure, visited);
+    throw std::runtime_error("The input did not deliver it. Its own error says why.");
+  }
+  return piece;
+}
+
+//------------------------------------------------------------------------------
+std::string FFInputPieces::Describe(int piece, int count, const std::string& ofProcess)
+{
+  return "Piece " + std::to_string(piece + 1) + " of " + std::to_string(count) + ofProcess + ": ";
 }
 VTK_ABI_NAMESPACE_END

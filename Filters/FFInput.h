@@ -1,18 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The points of a filter's input, as the engine takes them.
- *
- * FFInput has the points of a data set, or those of several, one after another: without ghost
- * points, if these are to be skipped. The run gets their ids.
+ * The points of a filter's input, as the engine takes them; and the input in pieces, which an
+ * algorithm requests by itself in RequestData().
  */
 
 #ifndef FFInput_h
 #define FFInput_h
 
 #include "FFBlocks.h"
+#include "FFExactValues.h"
 #include "FFOutput.h"
-#include "FFPointSource.h"
 #include "vtkFFMarks.h"
 #include "vtkSmartPointer.h"
 
@@ -28,6 +26,8 @@ class FFRun;
 class vtkInformation;
 class vtkPointSet;
 
+/// The points of a data set, or those of several, one after another: without ghost points, if these
+/// are to be skipped. The run gets their ids.
 class FFInput
 {
 public:
@@ -45,9 +45,7 @@ public:
    */
   static vtkSmartPointer<vtkPointSet> PointsOf(vtkDataObject* data, const std::string& ofWhat);
 
-  /**
-   * Ask for all of an input, whatever part of an output is asked for. Null: there is none.
-   */
+  /// Ask for all of an input, whatever part of an output is asked for. Null: there is none.
   static void RequestAll(vtkInformation* input);
 
   /**
@@ -61,9 +59,7 @@ public:
     const std::string& ofInput = {});
 
   ///@{
-  /**
-   * The parts of Take(), for points whose ids are known only once those of others are counted.
-   */
+  /// The parts of Take(), for points whose ids are known only once those of others are counted.
   vtkIdType TakePieces(const std::vector<PieceType>& pieces, bool skipGhosts, FFRun& run,
     const std::string& ofInput = {});
   void TakeCoordinates();
@@ -72,24 +68,48 @@ public:
   const flipflop::PointView& GetView() const { return this->Points->GetView(); }
   const FFPointSource& GetPoints() const { return *this->Points; }
 
-  /**
-   * The pieces, without the ghosts.
-   */
+  ///@{
+  /// The pieces, without the ghosts; and their point data.
   const std::vector<vtkSmartPointer<vtkPointSet>>& GetPieces() const { return this->Pieces; }
-
-  /**
-   * Their point data.
-   */
   std::vector<FFOutput::Source> GetPointData() const;
+  ///@}
 
 private:
-  /// Leaves out points that are marked as duplicates of another piece's or as hidden. Returns the
-  /// ids of the others among all points; none, if all remain.
-  std::vector<vtkIdType> SkipGhosts();
-
   std::vector<vtkSmartPointer<vtkPointSet>> Pieces;
   std::optional<FFPointSource> Points;
 };
+
+/// VTK's own streamers have their executive run them once for each piece (CONTINUE_EXECUTING); that
+/// loops for ever where the input fails at a later piece.
+namespace FFInputPieces
+{
+
+/// How many pieces there will be where so many are wanted: one, if nothing upstream can deliver
+/// pieces.
+int Count(vtkInformation* input, int wanted);
+
+/// Have the next update upstream bring a piece, from 0 on, of so many.
+void Request(vtkInformation* input, int piece, int count);
+
+///@{
+/**
+ * The piece that was requested, by an update, unless the executive has brought it; and the same
+ * after an update, which brought it or not. If not, the next one tries again.
+ *
+ * @throw flipflop::Error Aborted, std::runtime_error if it did not come
+ */
+vtkDataObject* Take(vtkInformation* input, bool isThere);
+vtkDataObject* Check(vtkInformation* input, bool isThere);
+///@}
+
+/**
+ * How an error in a piece begins.
+ *
+ * @param ofProcess of several processes, which one: " of process 2"
+ */
+std::string Describe(int piece, int count, const std::string& ofProcess = {});
+
+}
 VTK_ABI_NAMESPACE_END
 
 #endif

@@ -3,7 +3,6 @@
 #include "FFOutput.h"
 
 #include "FFExactValues.h"
-#include "FFPointSource.h"
 
 #include <flipflop/CellComplex.h>
 
@@ -13,30 +12,29 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
-#include <memory>
+#include <deque>
 #include <numeric>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
+
+using Sources = std::vector<FFOutput::Source>;
 
 /// Hands the buffer's memory to a VTK array of equally wide values; copies to narrower ones.
 template <class ArrayT>
@@ -63,16 +61,6 @@ vtkSmartPointer<ArrayT> adopt(flipflop::Buffer<std::int64_t>& buffer)
   return array;
 }
 
-/// An array of one value.
-template <class ArrayT, class T>
-void addValue(vtkFieldData* output, const char* name, T value)
-{
-  vtkNew<ArrayT> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  output->AddArray(array);
-}
-
 /// A new array like this one: type, components, names, keys; room for count tuples.
 vtkSmartPointer<vtkAbstractArray> makeLike(vtkAbstractArray* array, vtkIdType count)
 {
@@ -81,122 +69,172 @@ vtkSmartPointer<vtkAbstractArray> makeLike(vtkAbstractArray* array, vtkIdType co
   like.TakeReference(array->HasStandardMemoryLayout()
       ? array->NewInstance()
       : vtkAbstractArray::CreateArray(array->GetDataType()));
-  if (like)
+  if (!like)
   {
-    like->SetName(array->GetName());
-    like->SetNumberOfComponents(array->GetNumberOfComponents());
-    like->CopyComponentNames(array);
-    if (array->HasInformation())
-    {
-      like->CopyInformation(array->GetInformation());
-    }
-    auto* from = vtkDataArray::SafeDownCast(array);
-    auto* to = vtkDataArray::SafeDownCast(like);
-    if (from && to)
-    {
-      to->SetLookupTable(from->GetLookupTable());
-    }
-    like->SetNumberOfTuples(count);
+    return like;
   }
+  like->SetName(array->GetName());
+  like->SetNumberOfComponents(array->GetNumberOfComponents());
+  like->CopyComponentNames(array);
+  if (array->HasInformation())
+  {
+    like->CopyInformation(array->GetInformation());
+  }
+  if (auto* const to = vtkDataArray::SafeDownCast(like))
+  {
+    to->SetLookupTable(vtkDataArray::SafeDownCast(array)->GetLookupTable());
+  }
+  like->SetNumberOfTuples(count);
   return like;
-}
-
-/// The array of a further source that continues this one, null when there is none.
-vtkAbstractArray* findLike(const FFOutput::Source& source, vtkAbstractArray* array)
-{
-  vtkAbstractArray* other =
-    array->GetName() ? source.Data->GetAbstractArray(array->GetName()) : nullptr;
-  const bool alike = other && other->GetDataType() == array->GetDataType() &&
-    other->GetNumberOfComponents() == array->GetNumberOfComponents();
-  return alike ? other : nullptr;
-}
-
-/// Points can go without the surface that these attributes tell of.
-void retireSurfaceAttributes(vtkDataSetAttributes* data)
-{
-  for (const int attribute :
-    { vtkDataSetAttributes::NORMALS, vtkDataSetAttributes::TANGENTS, vtkDataSetAttributes::EDGEFLAG,
-      vtkDataSetAttributes::RATIONALWEIGHTS, vtkDataSetAttributes::HIGHERORDERDEGREES })
-  {
-    data->SetActiveAttribute(-1, attribute);
-  }
 }
 
 /// The points of one source among the output's: which they are there, and which here.
 struct Share
 {
-  FFOutput::Source Source;
+  vtkPointData* Data;
+  vtkIdType NumberOfPoints; // of the source
   vtkNew<vtkIdList> From;
   vtkNew<vtkIdList> To;
-
-  Share(const FFOutput::Source& source, vtkIdType sourceBegin, const vtkIdType* ids,
-    vtkIdType begin, vtkIdType end)
-    : Source(source)
-  {
-    this->From->SetNumberOfIds(end - begin);
-    this->To->SetNumberOfIds(end - begin);
-    std::transform(ids + begin, ids + end, this->From->GetPointer(0),
-      [=](vtkIdType id) { return id - sourceBegin; });
-    std::iota(this->To->GetPointer(0), this->To->GetPointer(0) + (end - begin), begin);
-  }
-
-  /// Their tuples of one array into another of the same type.
-  void CopyTuples(vtkAbstractArray* from, vtkAbstractArray* to) const
-  {
-    if (!FFExactValues::AreRoundedByCopies(from))
-    {
-      to->InsertTuples(this->To, this->From, from);
-      return;
-    }
-    const vtkIdType size = from->GetNumberOfComponents();
-    for (vtkIdType i = 0; i < this->From->GetNumberOfIds(); ++i)
-    {
-      for (vtkIdType k = 0; k < size; ++k)
-      {
-        to->SetVariantValue(
-          this->To->GetId(i) * size + k, from->GetVariantValue(this->From->GetId(i) * size + k));
-      }
-    }
-  }
 };
 
-/// Values of a new array for these points of a source, by its array of the same name. Without one
-/// of as many components: NaN, or 0 and an empty string of types that have none.
-void fillFrom(vtkDataSetAttributes* source, const flipflop::Buffer<std::int64_t>& points,
-  vtkAbstractArray* array)
+/// The shares of all sources that have a point.
+std::deque<Share> sharesOf(const Sources& sources, vtkIdTypeArray* ids)
 {
-  const auto count = static_cast<vtkIdType>(points.size());
-  array->SetNumberOfTuples(count);
-  vtkAbstractArray* const same =
-    array->GetName() ? source->GetAbstractArray(array->GetName()) : nullptr;
-  auto* const numbers = vtkDataArray::SafeDownCast(array);
-  const bool isThere = same && same->GetNumberOfComponents() == array->GetNumberOfComponents() &&
-    (numbers ? vtkDataArray::SafeDownCast(same) != nullptr
-             : same->GetDataType() == array->GetDataType());
-  if (!isThere)
+  // Ascending ids: each source's are a range.
+  std::deque<Share> shares;
+  const vtkIdType* const first = ids->GetPointer(0);
+  const vtkIdType* begin = first;
+  vtkIdType sourceBegin = 0;
+  for (const FFOutput::Source& source : sources)
   {
-    const int type = array->GetDataType();
-    if (numbers)
+    if (source.NumberOfPoints == 0)
     {
-      numbers->Fill(type == VTK_FLOAT || type == VTK_DOUBLE ? vtkMath::Nan() : 0.0);
+      continue;
     }
+    const vtkIdType* const end = std::lower_bound(
+      begin, first + ids->GetNumberOfValues(), sourceBegin + source.NumberOfPoints);
+    Share& share = shares.emplace_back();
+    share.Data = source.Data;
+    share.NumberOfPoints = source.NumberOfPoints;
+    share.From->SetNumberOfIds(end - begin);
+    share.To->SetNumberOfIds(end - begin);
+    std::transform(
+      begin, end, share.From->GetPointer(0), [=](vtkIdType id) { return id - sourceBegin; });
+    vtkIdType* const to = share.To->GetPointer(0);
+    std::iota(to, to + (end - begin), static_cast<vtkIdType>(begin - first));
+    begin = end;
+    sourceBegin += source.NumberOfPoints;
+  }
+  return shares;
+}
+
+/// PassPointData() with all attributes.
+void copyPointData(const Sources& sources, vtkIdTypeArray* ids, vtkDataSetAttributes* output)
+{
+  if (std::all_of(sources.begin(), sources.end(),
+        [](const FFOutput::Source& source) { return source.Data->GetNumberOfArrays() == 0; }))
+  {
     return;
   }
-  auto* const other = vtkDataArray::SafeDownCast(same);
-  for (vtkIdType k = 0; k < count; ++k)
+  const std::deque<Share> shares = sharesOf(sources, ids);
+  vtkPointData* const leader = shares.empty() ? nullptr : shares[0].Data;
+  for (int i = 0; leader && i < leader->GetNumberOfArrays(); ++i)
   {
-    const auto from = static_cast<vtkIdType>(points[static_cast<std::size_t>(k)]);
-    if (same->GetDataType() == array->GetDataType())
+    vtkAbstractArray* const array = leader->GetAbstractArray(i);
+    const auto partOf = [&](const Share& share)
     {
-      array->SetTuple(k, from, same);
+      return &share == &shares[0] ? array
+        : array->GetName()        ? share.Data->GetAbstractArray(array->GetName())
+                                  : nullptr;
+    };
+    const bool areAll = std::all_of(shares.begin(), shares.end(),
+      [&](const Share& share)
+      {
+        vtkAbstractArray* const part = partOf(share);
+        return part && part->GetDataType() == array->GetDataType() &&
+          part->GetNumberOfComponents() == array->GetNumberOfComponents() &&
+          part->GetNumberOfTuples() >= share.NumberOfPoints;
+      });
+    const auto copy = areAll ? makeLike(array, ids->GetNumberOfValues()) : nullptr;
+    if (!copy)
+    {
+      continue;
     }
-    else // both are of numbers
+    for (const Share& share : shares)
     {
-      numbers->SetTuple(k, other->GetTuple(from));
+      FFCopyTuples(partOf(share), share.From, copy, share.To);
+    }
+    const int index = output->AddArray(copy);
+    for (int attribute = 0; attribute < vtkDataSetAttributes::NUM_ATTRIBUTES; ++attribute)
+    {
+      if (leader->GetAbstractAttribute(attribute) == array)
+      {
+        output->SetActiveAttribute(index, attribute);
+      }
     }
   }
 }
 
+/// The values of an array for these points.
+void copyValues(
+  vtkAbstractArray* from, vtkPointSet* piece, vtkIdTypeArray* which, vtkAbstractArray* to)
+{
+  for (const Share& share : sharesOf(FFOutput::DataOf({ piece }), which))
+  {
+    FFCopyTuples(from, share.From, to, share.To);
+  }
+}
+
+/// These points, in the piece's own type.
+vtkSmartPointer<vtkPoints> selectPoints(vtkPointSet* piece, vtkIdTypeArray* which)
+{
+  vtkDataArray* const positions = piece->GetPoints()->GetData();
+  const auto selected = makeLike(positions, which->GetNumberOfValues());
+  copyValues(positions, piece, which, selected);
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetData(vtkDataArray::SafeDownCast(selected));
+  return points;
+}
+
+/// Values of a new array for these points of a source, by its array of the same name. Without one
+/// of as many components: NaN, or 0 and an empty string of types that have none.
+void fillFrom(vtkPointSet* source, vtkIdTypeArray* which, vtkAbstractArray* array)
+{
+  array->SetNumberOfTuples(which->GetNumberOfValues());
+  vtkAbstractArray* const same =
+    array->GetName() ? source->GetPointData()->GetAbstractArray(array->GetName()) : nullptr;
+  auto* const numbers = vtkDataArray::SafeDownCast(array);
+  auto* const others = vtkDataArray::SafeDownCast(same);
+  const bool fits = same && same->GetNumberOfComponents() == array->GetNumberOfComponents();
+  if (fits && same->GetDataType() == array->GetDataType())
+  {
+    copyValues(same, source, which, array);
+  }
+  else if (fits && numbers && others)
+  {
+    for (vtkIdType k = 0; k < which->GetNumberOfValues(); ++k)
+    {
+      numbers->SetTuple(k, others->GetTuple(which->GetValue(k)));
+    }
+  }
+  else if (numbers)
+  {
+    const int type = array->GetDataType();
+    numbers->Fill(type == VTK_FLOAT || type == VTK_DOUBLE ? vtkMath::Nan() : 0.0);
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+Sources FFOutput::DataOf(const std::vector<vtkPointSet*>& pieces)
+{
+  Sources data;
+  for (vtkPointSet* piece : pieces)
+  {
+    data.push_back({ piece->GetPointData(), piece->GetNumberOfPoints() });
+  }
+  return data;
 }
 
 //------------------------------------------------------------------------------
@@ -223,6 +261,18 @@ void FFOutput::AddIds(vtkIdTypeArray* ids, vtkDataSetAttributes* output)
 {
   ids->SetName("vtkOriginalPointIds");
   output->AddArray(ids);
+}
+
+//------------------------------------------------------------------------------
+void FFOutput::Renumber(
+  vtkDataSetAttributes* output, const std::function<vtkIdType(vtkIdType)>& idOf)
+{
+  auto* ids = vtkIdTypeArray::SafeDownCast(output->GetAbstractArray("vtkOriginalPointIds"));
+  const vtkIdType count = ids ? ids->GetNumberOfValues() : 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    ids->SetValue(i, idOf(ids->GetValue(i)));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -256,18 +306,9 @@ void FFOutput::AdoptCells(flipflop::CellComplex& complex, vtkPolyData* output)
     const auto offsets = adopt<vtkTypeInt64Array>(complex.offsets);
     cells->SetData(offsets.Get(), connectivity.Get());
   }
-  switch (complex.dimension)
-  {
-    case 0:
-      output->SetVerts(cells);
-      break;
-    case 1:
-      output->SetLines(cells);
-      break;
-    default:
-      output->SetPolys(cells);
-      break;
-  }
+  complex.dimension == 0     ? output->SetVerts(cells)
+    : complex.dimension == 1 ? output->SetLines(cells)
+                             : output->SetPolys(cells);
 }
 
 //------------------------------------------------------------------------------
@@ -305,62 +346,28 @@ void FFOutput::FanPolygons(vtkPolyData* output)
 }
 
 //------------------------------------------------------------------------------
-void FFOutput::CopyPointData(
-  const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkDataSetAttributes* output)
+void FFOutput::PassPointData(
+  const Sources& sources, vtkIdTypeArray* ids, vtkDataSetAttributes* output)
 {
-  // Ascending ids: each source's are a range.
-  const vtkIdType count = ids->GetNumberOfValues();
-  const vtkIdType* first = ids->GetPointer(0);
-  std::vector<std::unique_ptr<Share>> shares;
-  vtkIdType sourceBegin = 0;
-  vtkIdType begin = 0;
-  for (const Source& source : sources)
+  copyPointData(sources, ids, output);
+  for (const int attribute :
+    { vtkDataSetAttributes::NORMALS, vtkDataSetAttributes::TANGENTS, vtkDataSetAttributes::EDGEFLAG,
+      vtkDataSetAttributes::RATIONALWEIGHTS, vtkDataSetAttributes::HIGHERORDERDEGREES })
   {
-    const vtkIdType sourceEnd = sourceBegin + source.NumberOfPoints;
-    if (source.NumberOfPoints > 0)
-    {
-      const vtkIdType end = std::lower_bound(first + begin, first + count, sourceEnd) - first;
-      shares.push_back(std::make_unique<Share>(source, sourceBegin, first, begin, end));
-      begin = end;
-    }
-    sourceBegin = sourceEnd;
+    output->SetActiveAttribute(-1, attribute);
   }
-  if (shares.empty())
+  auto* const marks = vtkCellData::SafeDownCast(output)
+    ? vtkUnsignedCharArray::SafeDownCast(
+        output->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()))
+    : nullptr;
+  for (vtkIdType i = 0; marks && i < marks->GetNumberOfValues(); ++i)
   {
-    return;
-  }
-
-  vtkPointData* leader = shares.front()->Source.Data;
-  for (int i = 0; i < leader->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = leader->GetAbstractArray(i);
-    std::vector<vtkAbstractArray*> parts;
-    for (const auto& share : shares)
-    {
-      vtkAbstractArray* part = share == shares.front() ? array : findLike(share->Source, array);
-      if (!part || part->GetNumberOfTuples() < share->Source.NumberOfPoints)
-      {
-        break;
-      }
-      parts.push_back(part);
-    }
-    const auto copy = parts.size() == shares.size() ? makeLike(array, count) : nullptr;
-    if (!copy)
-    {
-      continue;
-    }
-    for (std::size_t k = 0; k < parts.size(); ++k)
-    {
-      shares[k]->CopyTuples(parts[k], copy);
-    }
-    const int index = output->AddArray(copy);
-    for (int attribute = 0; attribute < vtkDataSetAttributes::NUM_ATTRIBUTES; ++attribute)
-    {
-      if (leader->GetAbstractAttribute(attribute) == array)
-      {
-        output->SetActiveAttribute(index, attribute);
-      }
-    }
+    const int mark = marks->GetValue(i);
+    const int duplicate =
+      mark & vtkDataSetAttributes::DUPLICATEPOINT ? vtkDataSetAttributes::DUPLICATECELL : 0;
+    const int hidden =
+      mark & vtkDataSetAttributes::HIDDENPOINT ? vtkDataSetAttributes::HIDDENCELL : 0;
+    marks->SetValue(i, static_cast<unsigned char>(duplicate | hidden));
   }
 }
 
@@ -387,68 +394,15 @@ void FFOutput::RemoveReport(vtkFieldData* data)
 }
 
 //------------------------------------------------------------------------------
-void FFOutput::PassPointData(
-  const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkPointData* output)
+void FFOutput::AddValue(vtkFieldData* output, const char* name, const vtkVariant& value)
 {
-  CopyPointData(sources, ids, output);
-  retireSurfaceAttributes(output);
-}
-
-//------------------------------------------------------------------------------
-void FFOutput::PassPointData(
-  const std::vector<Source>& sources, vtkIdTypeArray* ids, vtkCellData* output)
-{
-  CopyPointData(sources, ids, output);
-  retireSurfaceAttributes(output);
-
-  auto* marks = vtkUnsignedCharArray::SafeDownCast(
-    output->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()));
-  const vtkIdType count = marks ? marks->GetNumberOfValues() : 0;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const int mark = marks->GetValue(i);
-    const int duplicate =
-      mark & vtkDataSetAttributes::DUPLICATEPOINT ? vtkDataSetAttributes::DUPLICATECELL : 0;
-    const int hidden =
-      mark & vtkDataSetAttributes::HIDDENPOINT ? vtkDataSetAttributes::HIDDENCELL : 0;
-    marks->SetValue(i, static_cast<unsigned char>(duplicate | hidden));
-  }
-}
-
-//------------------------------------------------------------------------------
-void FFOutput::Renumber(
-  vtkDataSetAttributes* output, const std::function<vtkIdType(vtkIdType)>& idOf)
-{
-  auto* ids = vtkIdTypeArray::SafeDownCast(output->GetAbstractArray("vtkOriginalPointIds"));
-  const vtkIdType count = ids ? ids->GetNumberOfValues() : 0;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    ids->SetValue(i, idOf(ids->GetValue(i)));
-  }
-}
-
-//------------------------------------------------------------------------------
-void FFOutput::AddValue(vtkFieldData* output, const char* name, int value)
-{
-  addValue<vtkIntArray>(output, name, value);
-}
-
-//------------------------------------------------------------------------------
-void FFOutput::AddValue(vtkFieldData* output, const char* name, std::int64_t value)
-{
-  addValue<vtkIdTypeArray>(output, name, static_cast<vtkIdType>(value));
-}
-
-//------------------------------------------------------------------------------
-void FFOutput::AddValue(vtkFieldData* output, const char* name, double value)
-{
-  addValue<vtkDoubleArray>(output, name, value);
-}
-
-//------------------------------------------------------------------------------
-void FFOutput::AddValue(vtkFieldData* output, const char* name, const char* value)
-{
-  addValue<vtkStringArray>(output, name, value);
+  const int type = static_cast<int>(value.GetType());
+  const bool isLong = type == VTK_LONG || type == VTK_LONG_LONG;
+  vtkSmartPointer<vtkAbstractArray> array;
+  array.TakeReference(vtkAbstractArray::CreateArray(isLong ? VTK_ID_TYPE : type));
+  array->SetName(name);
+  array->InsertVariantValue(0, value);
+  output->AddArray(array);
 }
 
 //------------------------------------------------------------------------------
@@ -463,62 +417,40 @@ vtkSmartPointer<vtkPointSet> FFOutput::Append(
   {
     return pieces.size() == 1 ? pieces[0] : *first;
   }
-  std::vector<vtkDataArray*> arrays;
-  std::vector<Source> data;
-  vtkIdType count = 0;
-  for (vtkPointSet* piece : pieces)
-  {
-    arrays.push_back(piece->GetPoints() ? piece->GetPoints()->GetData() : nullptr);
-    data.push_back({ piece->GetPointData(), piece->GetNumberOfPoints() });
-    count += piece->GetNumberOfPoints();
-  }
-  count -= leftOut;
+  const Sources data = DataOf(pieces);
+  const vtkIdType count = std::accumulate(data.begin(), data.end(), -leftOut,
+    [](vtkIdType sum, const Source& source) { return sum + source.NumberOfPoints; });
   flipflop::Buffer<std::int64_t> all(static_cast<std::size_t>(count));
   std::iota(all.begin(), all.end(), static_cast<std::int64_t>(leftOut));
-
   auto whole = vtkSmartPointer<vtkPolyData>::New();
-  whole->SetPoints(FFPointSource(arrays).Gather(all.data(), count));
-  CopyPointData(data, AdoptIds(all), whole->GetPointData());
+  whole->SetPoints(FFPointSource(pieces).Gather(all.data(), count));
+  copyPointData(data, AdoptIds(all), whole->GetPointData());
   return whole;
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPointSet> FFOutput::Select(vtkPointSet* piece, vtkIdTypeArray* which)
 {
-  const vtkIdType count = piece->GetNumberOfPoints();
-  vtkNew<vtkPointData> from;
-  vtkNew<vtkPointData> to;
-  from->AddArray(piece->GetPoints()->GetData());
-  CopyPointData({ { from, count } }, which, to);
-  vtkNew<vtkPoints> positions;
-  positions->SetData(to->GetArray(0));
-  auto points = vtkSmartPointer<vtkPolyData>::New();
-  points->SetPoints(positions);
-  CopyPointData({ { piece->GetPointData(), count } }, which, points->GetPointData());
-  return points;
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(selectPoints(piece, which));
+  copyPointData(DataOf({ piece }), which, result->GetPointData());
+  return result;
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> FFOutput::SelectLike(
   vtkPointSet* followed, vtkPolyData* source, const flipflop::Buffer<std::int64_t>& which)
 {
-  const auto count = static_cast<vtkIdType>(which.size());
-  vtkNew<vtkPoints> points;
-  points->SetDataType(source->GetPoints()->GetDataType());
-  points->SetNumberOfPoints(count);
-  for (vtkIdType k = 0; k < count; ++k)
-  {
-    double x[3];
-    source->GetPoint(static_cast<vtkIdType>(which[static_cast<std::size_t>(k)]), x);
-    points->SetPoint(k, x);
-  }
+  flipflop::Buffer<std::int64_t> copy(which.size());
+  std::copy(which.begin(), which.end(), copy.begin());
+  const auto ids = AdoptIds(copy);
   auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(points);
+  result->SetPoints(selectPoints(source, ids));
   vtkPointData* const data = result->GetPointData();
-  data->InterpolateAllocate(followed->GetPointData(), count);
+  data->InterpolateAllocate(followed->GetPointData(), ids->GetNumberOfValues());
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
-    fillFrom(source->GetPointData(), which, data->GetAbstractArray(i));
+    fillFrom(source, ids, data->GetAbstractArray(i));
   }
   return result;
 }

@@ -8,25 +8,18 @@
 #include <flipflop/ConvexHull.h>
 #include <flipflop/EdgeLengths.h>
 #include <flipflop/Error.h>
-#include <flipflop/Measures.h>
 
 #include "vtkAbstractTransform.h"
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkHomogeneousTransform.h"
 #include "vtkMatrix4x4.h"
-#include "vtkPointData.h"
 #include "vtkPointSet.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -38,8 +31,19 @@ namespace
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Points between two checks for an abort: some milliseconds.
-constexpr std::int64_t chunkSize = 1 << 16;
+/// Calls use(i) for each of so many points, with checks for an abort every some milliseconds.
+template <class Use>
+void eachPoint(std::int64_t count, const flipflop::Options& options, const Use& use)
+{
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    if (i % (1 << 16) == 0)
+    {
+      FFRun::Look(options);
+    }
+    use(i);
+  }
+}
 
 bool isFinite(const double* p)
 {
@@ -67,7 +71,7 @@ void FFPlanarInput::Take(vtkDataObject* data)
   {
     this->FindWeights(points);
   }
-  input.Take(FFBlocks::PiecesOf(data), this->Filter->GetSkipGhostPoints(), this->Run);
+  input.TakePieces(FFBlocks::PiecesOf(data), this->Filter->GetSkipGhostPoints(), this->Run);
   this->SetPoints(input.GetPieces()[0]);
   this->SetWeights(this->FindWeights(this->Points));
   this->Project();
@@ -77,7 +81,7 @@ void FFPlanarInput::Take(vtkDataObject* data)
 void FFPlanarInput::SetPoints(vtkPointSet* points)
 {
   this->Points = points;
-  this->Space.emplace(points->GetPoints() ? points->GetPoints()->GetData() : nullptr);
+  this->Space.emplace(std::vector<vtkPointSet*>{ points });
 }
 
 //------------------------------------------------------------------------------
@@ -151,21 +155,18 @@ void FFPlanarInput::ProjectByTransform()
   const flipflop::PointView& view = this->GetSpace();
   flipflop::Buffer<double> positions(2 * static_cast<std::size_t>(view.count));
   // By one thread: nothing else is known of a transform that somebody else wrote.
-  for (std::int64_t i = 0; i < view.count; ++i)
-  {
-    if (i % chunkSize == 0)
+  eachPoint(view.count, this->Run.Options,
+    [&](std::int64_t i)
     {
-      FFRun::Look(this->Run.Options);
-    }
-    const std::int64_t at = i * view.stride;
-    const double from[3] = { NumberAt(view, at), NumberAt(view, at + 1), NumberAt(view, at + 2) };
-    double to[3] = { NaN, NaN, NaN };
-    if (isFinite(from))
-    {
-      this->Transform->TransformPoint(from, to);
-    }
-    std::copy_n(to, 2, positions.data() + 2 * i);
-  }
+      const std::int64_t at = i * view.stride;
+      const double from[3] = { NumberAt(view, at), NumberAt(view, at + 1), NumberAt(view, at + 2) };
+      double to[3] = { NaN, NaN, NaN };
+      if (isFinite(from))
+      {
+        this->Transform->TransformPoint(from, to);
+      }
+      std::copy_n(to, 2, positions.data() + 2 * i);
+    });
   this->SetPositions(std::move(positions));
 }
 
@@ -236,63 +237,11 @@ vtkSmartPointer<vtkDoubleArray> FFPlanarInput::ToSpace(
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkSmartPointer<vtkDoubleArray>> FFPlanarInput::MeasureCells(
-  std::int64_t count, const MeasureType& measure) const
-{
-  if (!this->Filter->GetGenerateCellMeasures())
-  {
-    return {};
-  }
-  auto areas = vtkSmartPointer<vtkDoubleArray>::New();
-  areas->SetName("Area");
-  areas->SetNumberOfValues(static_cast<vtkIdType>(count));
-  flipflop::Buffer<double> positions(2 * static_cast<std::size_t>(count));
-  measure(areas->GetPointer(0), positions.data());
-  vtkSmartPointer<vtkDoubleArray> centroids = this->ToSpace(positions, "The cells' centroids");
-  centroids->SetName("Centroid");
-  return { areas, centroids };
-}
-
-//------------------------------------------------------------------------------
 std::vector<FFOutput::Source> FFPlanarInput::GetPointData() const
 {
-  if (!this->Filter->GetPassPointData())
-  {
-    return {};
-  }
-  return { { this->Points->GetPointData(), this->Points->GetNumberOfPoints() } };
-}
-
-//------------------------------------------------------------------------------
-void FFPlanarInput::WriteCells(flipflop::CellComplex& cells, vtkPolyData* output,
-  const std::vector<vtkSmartPointer<vtkDoubleArray>>& arrays) const
-{
-  for (const auto& array : arrays)
-  {
-    output->GetCellData()->AddArray(array);
-  }
-  FFOutput::Adopt(cells, *this->Space, this->GetPointData(), output);
-  FFOutput::Renumber(output->GetPointData(), [this](vtkIdType id) { return this->Run.GetId(id); });
-  if (this->Filter->GetVisiblePointIds())
-  {
-    FFOutput::ShowIds(output->GetPointData());
-  }
-}
-
-//------------------------------------------------------------------------------
-void FFPlanarInput::WriteTriangulation(
-  flipflop::Triangulation& triangulation, vtkPolyData* output) const
-{
-  const auto measure = [&](double* areas, double* centroids)
-  {
-    // A share of a triangulation may have no cell, which the engine takes for none of its own.
-    if (triangulation.cellCount() > 0)
-    {
-      flipflop::cellMeasures(this->Plane, triangulation, areas, centroids, this->Run.Options);
-    }
-  };
-  const auto measures = this->MeasureCells(triangulation.cellCount(), measure);
-  this->WriteCells(triangulation, output, measures);
+  return FFOutput::DataOf(this->Filter->GetPassPointData()
+      ? std::vector<vtkPointSet*>{ this->Points }
+      : std::vector<vtkPointSet*>());
 }
 
 //------------------------------------------------------------------------------
@@ -314,42 +263,27 @@ void FFPlanarInput::Report(const flipflop::CellComplex& cells, std::optional<std
 }
 
 //------------------------------------------------------------------------------
-void FFPlanarInput::WriteVertices(flipflop::Buffer<std::int64_t>& ids, vtkPolyData* output) const
-{
-  flipflop::CellComplex vertices;
-  vertices.dimension = 0;
-  vertices.cellSize = 1;
-  vertices.connectivity.allocate(ids.size());
-  std::iota(vertices.connectivity.begin(), vertices.connectivity.end(), std::int64_t(0));
-  vertices.pointIds = std::move(ids);
-  this->WriteCells(vertices, output);
-}
-
-//------------------------------------------------------------------------------
 std::int64_t FFPlanarInput::VisitPoints(const PointVisitor& visit) const
 {
   const flipflop::PointView& view = this->GetPlane();
   const flipflop::WeightView& weights = this->GetWeights();
   std::int64_t first = -1;
   std::int64_t count = 0;
-  for (std::int64_t i = 0; i < view.count; ++i)
-  {
-    if (i % chunkSize == 0)
+  eachPoint(view.count, this->Run.Options,
+    [&](std::int64_t i)
     {
-      FFRun::Look(this->Run.Options);
-    }
-    const double x = NumberAt(view, i * view.stride);
-    const double y = NumberAt(view, i * view.stride + 1);
-    const double weight = weights.data ? NumberAt(weights, i * weights.stride) : 0.0;
-    if (std::isfinite(x) && std::isfinite(y) && std::isfinite(weight))
-    {
-      visit(i, x, y, weight);
-    }
-    else if (count++ == 0)
-    {
-      first = i;
-    }
-  }
+      const double x = NumberAt(view, i * view.stride);
+      const double y = NumberAt(view, i * view.stride + 1);
+      const double weight = weights.data ? NumberAt(weights, i * weights.stride) : 0.0;
+      if (std::isfinite(x) && std::isfinite(y) && std::isfinite(weight))
+      {
+        visit(i, x, y, weight);
+      }
+      else if (count++ == 0)
+      {
+        first = i;
+      }
+    });
   if (count > 0 && this->Run.Options.nonFinite == flipflop::NonFinitePolicy::Error)
   {
     throw flipflop::Error(flipflop::ErrorCode::NonFinite, first, count);

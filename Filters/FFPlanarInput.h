@@ -13,10 +13,9 @@
 #ifndef FFPlanarInput_h
 #define FFPlanarInput_h
 
+#include "FFExactValues.h"
 #include "FFOutput.h"
-#include "FFPointSource.h"
 #include "FFRun.h"
-#include "FFWeightSource.h"
 #include "vtkFFMarks.h"
 #include "vtkSmartPointer.h"
 
@@ -40,7 +39,6 @@ class vtkDataSet;
 class vtkDoubleArray;
 class vtkFFPlanarAlgorithm;
 class vtkPointSet;
-class vtkPolyData;
 
 class FFPlanarInput
 {
@@ -82,18 +80,18 @@ public:
   ///@}
 
   vtkPointSet* GetPoints() const { return this->Points; }
+  const FFPointSource& GetSource() const { return *this->Space; }
   const flipflop::PointView& GetSpace() const { return this->Space->GetView(); }
   const flipflop::PointView& GetPlane() const { return this->Plane; }
   const flipflop::WeightView& GetWeights() const { return this->Weights->GetView(); }
 
-  /**
-   * Number i of the memory of a view of points or weights.
-   */
+  /// The point data of an output, if it is to be passed.
+  std::vector<FFOutput::Source> GetPointData() const;
+
   template <class View>
   static double NumberAt(const View& view, std::int64_t i)
   {
-    return view.type == flipflop::ScalarType::Float32 ? static_cast<const float*>(view.data)[i]
-                                                      : static_cast<const double*>(view.data)[i];
+    return FFNumberAt(view, i);
   }
 
   /**
@@ -106,10 +104,8 @@ public:
   std::int64_t VisitPoints(const PointVisitor& visit) const;
 
   ///@{
-  /**
-   * Whether the plane is the XY plane; then it lies at a height, 0 by default: this one, or that of
-   * the lowest point that is in a triangulation or hidden.
-   */
+  /// Whether the plane is the XY plane; then it lies at a height, 0 by default: this one, or that
+  /// of the lowest point that is in a triangulation or hidden.
   bool IsXYPlane() const { return !this->Fitted && !this->Transform; }
   const std::optional<flipflop::FittedPlane>& GetFittedPlane() const { return this->Fitted; }
   void SetHeight(double z) { this->Height = z; }
@@ -126,42 +122,10 @@ public:
   vtkSmartPointer<vtkDoubleArray> ToSpace(
     const flipflop::Buffer<double>& xy, const char* what) const;
 
-  /**
-   * The arrays Area and Centroid of so many cells, if the filter generates cell measures: by what
-   * @p measure writes, an area and the x and y of a centroid for each.
-   */
-  using MeasureType = std::function<void(double* areas, double* centroids)>;
-  std::vector<vtkSmartPointer<vtkDoubleArray>> MeasureCells(
-    std::int64_t count, const MeasureType& measure) const;
-
-  /**
-   * The point data of an output, if it is to be passed.
-   */
-  std::vector<FFOutput::Source> GetPointData() const;
-
-  /**
-   * Cells of these points become an output, with the points that they have, and with more cell
-   * arrays.
-   */
-  void WriteCells(flipflop::CellComplex& cells, vtkPolyData* output,
-    const std::vector<vtkSmartPointer<vtkDoubleArray>>& arrays = {}) const;
-
-  /**
-   * The same of a triangulation, with the measures of its cells if the filter generates them.
-   */
-  void WriteTriangulation(flipflop::Triangulation& triangulation, vtkPolyData* output) const;
-
-  /**
-   * Add to what the filter reports: the triangulation, and how many of its points are hidden and
-   * how many of its cells were excluded; none of a number that the filter does not report.
-   */
+  /// Add to what the filter reports: the triangulation, and how many of its points are hidden and
+  /// how many of its cells were excluded; none of a number that the filter does not report.
   void Report(const flipflop::CellComplex& cells, std::optional<std::int64_t> hidden,
     std::optional<std::int64_t> dropped, vtkDataObject* output) const;
-
-  /**
-   * Points become an output with a vertex for each.
-   */
-  void WriteVertices(flipflop::Buffer<std::int64_t>& ids, vtkPolyData* output) const;
 
   /**
    * Leave out the cells that have an edge longer than that, if it is a length. Returns how many.
@@ -172,10 +136,8 @@ public:
     const flipflop::Options& options, flipflop::CellComplex& cells);
 
   ///@{
-  /**
-   * A line in the XY plane may be a plane in space: then a warning says so. And its parts: the hull
-   * of points in space; the warning.
-   */
+  /// A line in the XY plane may be a plane in space: then a warning says so. And its parts: the
+  /// hull of points in space; the warning.
   void LookForVerticalPlane(const flipflop::Triangulation& triangulation) const;
   static flipflop::Hull HullInSpace(
     const std::vector<std::array<double, 3>>& points, const flipflop::Options& options);

@@ -3,10 +3,10 @@
 #include "FFPointRecords.h"
 
 #include "FFOutput.h"
-#include "FFPlanarInput.h"
-#include "FFPointSource.h"
 
+#include "vtkCharArray.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkPointSet.h"
@@ -14,7 +14,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <cstdint>
 #include <cstring>
 #include <numeric>
 #include <stdexcept>
@@ -41,69 +40,55 @@ std::runtime_error missing(const std::string& what)
   return std::runtime_error("It has no " + what + ", as the first piece with points has.");
 }
 
-/// The bytes of a tuple: of a bit, too, each value has some.
+/// The array with a byte or more for each value, as records have them: bits have less.
+vtkSmartPointer<vtkDataArray> inBytes(vtkDataArray* array)
+{
+  if (array->GetDataType() != VTK_BIT)
+  {
+    return array;
+  }
+  auto bytes = vtkSmartPointer<vtkCharArray>::New();
+  bytes->DeepCopy(array);
+  return bytes;
+}
+
+/// The bytes of a tuple in a record.
 std::size_t tupleSize(vtkDataArray* array)
 {
   return static_cast<std::size_t>(array->GetNumberOfComponents()) *
     (array->GetDataType() == VTK_BIT ? 1 : static_cast<std::size_t>(array->GetDataTypeSize()));
 }
 
-/// The tuples of an array between its memory and so many bytes of each record, by
-/// @p move(memory, record, size).
-template <class Char, class Move>
-void eachTuple(vtkDataArray* array, Char* records, std::size_t recordSize, const Move& move)
+/// The tuples of an array go into as many records. Returns where the next array's begin.
+char* pack(vtkDataArray* array, char* records, std::size_t recordSize)
 {
   const std::size_t size = tupleSize(array);
-  auto* memory = static_cast<char*>(array->GetVoidPointer(0));
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i, memory += size, records += recordSize)
+  const vtkSmartPointer<vtkDataArray> bytes = inBytes(array);
+  const auto* const memory = static_cast<const char*>(bytes->GetVoidPointer(0));
+  const auto count = static_cast<std::size_t>(array->GetNumberOfTuples());
+  for (std::size_t i = 0; i < count; ++i)
   {
-    move(memory, records, size);
+    std::memcpy(records + i * recordSize, memory + i * size, size);
   }
+  return records + size;
 }
 
-void pack(vtkDataArray* array, char* records, std::size_t recordSize)
+/// The other way.
+const char* unpack(const char* records, std::size_t recordSize, vtkDataArray* array)
 {
-  if (array->GetDataType() != VTK_BIT)
+  const std::size_t size = tupleSize(array);
+  const vtkSmartPointer<vtkDataArray> bytes = inBytes(array);
+  auto* const memory = static_cast<char*>(bytes->GetVoidPointer(0));
+  const auto count = static_cast<std::size_t>(array->GetNumberOfTuples());
+  for (std::size_t i = 0; i < count; ++i)
   {
-    eachTuple(array, records, recordSize,
-      [](const char* memory, char* record, std::size_t size)
-      { std::memcpy(record, memory, size); });
-    return;
+    std::memcpy(memory + i * size, records + i * recordSize, size);
   }
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i, records += recordSize)
+  if (bytes != array)
   {
-    for (int k = 0; k < array->GetNumberOfComponents(); ++k)
-    {
-      records[k] = static_cast<char>(array->GetComponent(i, k));
-    }
+    array->DeepCopy(bytes);
   }
-}
-
-void unpack(const char* records, std::size_t recordSize, vtkDataArray* array)
-{
-  if (array->GetDataType() != VTK_BIT)
-  {
-    eachTuple(array, records, recordSize,
-      [](char* memory, const char* record, std::size_t size)
-      { std::memcpy(memory, record, size); });
-    return;
-  }
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i, records += recordSize)
-  {
-    for (int k = 0; k < array->GetNumberOfComponents(); ++k)
-    {
-      array->SetComponent(i, k, records[k]);
-    }
-  }
-}
-
-/// The point data in plain memory: all of it, or none of any tuple.
-void copyPlainly(vtkPointData* data, vtkIdType count, vtkIdType points, vtkPointData* output)
-{
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetNumberOfValues(count);
-  std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, vtkIdType(0));
-  FFOutput::PassPointData({ { data, points } }, ids, output);
+  return records + size;
 }
 
 }
@@ -114,7 +99,8 @@ FFPointRecords::FFPointRecords(vtkPointSet* kind, bool withData)
 {
   if (withData)
   {
-    copyPlainly(kind->GetPointData(), 0, kind->GetNumberOfPoints(), this->Like);
+    vtkNew<vtkIdTypeArray> none;
+    FFOutput::PassPointData(FFOutput::DataOf({ kind }), none, this->Like);
   }
   for (int i = this->Like->GetNumberOfArrays() - 1; i >= 0; --i)
   {
@@ -153,46 +139,36 @@ std::vector<char> FFPointRecords::Pack(vtkPointSet* points) const
   {
     return records;
   }
-  std::vector<std::int64_t> ids(static_cast<std::size_t>(count));
-  std::iota(ids.begin(), ids.end(), std::int64_t(0));
-  vtkDataArray* const given = points->GetPoints()->GetData();
-  vtkSmartPointer<vtkPoints> positions =
-    FFPointSource(given).Gather(ids.data(), count); // in plain memory
-  if (given->GetDataType() != this->PointType)
+  vtkNew<vtkIdTypeArray> all;
+  all->SetNumberOfValues(count);
+  std::iota(all->GetPointer(0), all->GetPointer(0) + count, vtkIdType(0));
+  vtkNew<vtkPolyData> bare;
+  bare->SetPoints(points->GetPoints());
+  const auto plain = // in plain memory
+    FFOutput::Select(this->Like->GetNumberOfArrays() > 0 ? points : bare.Get(), all);
+
+  vtkSmartPointer<vtkDataArray> positions = plain->GetPoints()->GetData();
+  if (positions->GetDataType() != this->PointType)
   {
     if (this->PointType != VTK_DOUBLE)
     {
       throw missing(std::string("points of ") + vtkImageScalarTypeNameMacro(this->PointType));
     }
-    vtkSmartPointer<vtkPoints> doubles;
-    doubles.TakeReference(vtkPoints::New(VTK_DOUBLE));
-    doubles->SetNumberOfPoints(count);
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      doubles->SetPoint(i, positions->GetPoint(i));
-    }
+    vtkNew<vtkDoubleArray> doubles;
+    doubles->DeepCopy(positions);
     positions = doubles;
   }
-  char* to = records.data();
-  pack(positions->GetData(), to, this->Size);
-  to += tupleSize(positions->GetData());
-
-  vtkNew<vtkPointData> data;
-  if (this->Like->GetNumberOfArrays() > 0)
-  {
-    copyPlainly(points->GetPointData(), count, count, data);
-  }
+  char* to = pack(positions, records.data(), this->Size);
   for (int i = 0; i < this->Like->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* const like = this->Like->GetArray(i);
-    vtkDataArray* const array = data->GetArray(nameOf(like));
+    vtkDataArray* const array = plain->GetPointData()->GetArray(nameOf(like));
     if (!array || array->GetDataType() != like->GetDataType() ||
       array->GetNumberOfComponents() != like->GetNumberOfComponents())
     {
       throw missing("array " + describe(like));
     }
-    pack(array, to, this->Size);
-    to += tupleSize(like);
+    to = pack(array, to, this->Size);
   }
   return records;
 }
@@ -201,12 +177,10 @@ std::vector<char> FFPointRecords::Pack(vtkPointSet* points) const
 void FFPointRecords::Unpack(const std::vector<char>& records, vtkPolyData* output) const
 {
   const auto count = static_cast<vtkIdType>(records.size() / this->Size);
-  vtkSmartPointer<vtkPoints> points;
-  points.TakeReference(vtkPoints::New(this->PointType));
+  vtkNew<vtkPoints> points;
+  points->SetDataType(this->PointType);
   points->SetNumberOfPoints(count);
-  const char* from = records.data();
-  unpack(from, this->Size, points->GetData());
-  from += tupleSize(points->GetData());
+  const char* from = unpack(records.data(), this->Size, points->GetData());
   output->SetPoints(points);
 
   vtkPointData* const data = output->GetPointData();
@@ -215,8 +189,7 @@ void FFPointRecords::Unpack(const std::vector<char>& records, vtkPolyData* outpu
   {
     vtkDataArray* const array = data->GetArray(i);
     array->SetNumberOfTuples(count);
-    unpack(from, this->Size, array);
-    from += tupleSize(array);
+    from = unpack(from, this->Size, array);
   }
 }
 VTK_ABI_NAMESPACE_END

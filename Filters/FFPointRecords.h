@@ -36,19 +36,13 @@ public:
   FFPointRecords(const FFPointRecords&) = delete;
   void operator=(const FFPointRecords&) = delete;
 
-  /**
-   * The bytes of a record.
-   */
+  /// The bytes of a record.
   std::size_t GetSize() const { return this->Size; }
 
-  /**
-   * All that a record has, in words; two are the same if their records are.
-   */
+  /// All that a record has, in words; two are the same if their records are.
   std::string Describe() const;
 
-  /**
-   * The names of arrays that are in no record.
-   */
+  /// The names of arrays that are in no record.
   const std::vector<std::string>& GetLeftOut() const { return this->LeftOut; }
 
   /**
@@ -59,9 +53,7 @@ public:
    */
   std::vector<char> Pack(vtkPointSet* points) const;
 
-  /**
-   * The points of these records, and their data, become those of the output.
-   */
+  /// The points of these records, and their data, become those of the output.
   void Unpack(const std::vector<char>& records, vtkPolyData* output) const;
 
 private:

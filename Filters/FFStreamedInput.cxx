@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FFStreamedInput.h"
 
+#include "FFExactValues.h"
 #include "FFInput.h"
-#include "FFInputPieces.h"
 #include "FFOutput.h"
 #include "FFPlanarInput.h"
-#include "FFPointSource.h"
 #include "FFRun.h"
-#include "FFWeightSource.h"
 #include "vtkFFPlanarAlgorithm.h"
 #include "vtkFFStreamedWriter.h"
 

@@ -4,17 +4,17 @@
 
 #include "FFOutput.h"
 
-#include <flipflop/CellComplex.h>
 #include <flipflop/Error.h>
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkTriangleStrip.h"
 
 #include <cstddef>
 #include <stdexcept>
-#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -121,22 +121,48 @@ vtkPolyData* FFSurfaceCells::SurfaceOf(vtkDataObject* input, const std::string& 
 FFSurfaceCells::FFSurfaceCells(
   vtkPolyData* surface, const flipflop::PointView& points, const flipflop::Options& options)
 {
-  vtkCellArray* polygons = surface->GetPolys();
-  const bool areTriangles = surface->GetNumberOfStrips() == 0 &&
-    (polygons->GetNumberOfCells() == 0 || polygons->IsHomogeneous() == 3);
-  if (areTriangles)
+  vtkCellArray* const polygons = surface->GetPolys();
+  vtkCellArray* const strips = surface->GetStrips();
+  const vtkIdType count = polygons->GetNumberOfCells();
+  if (strips->GetNumberOfCells() == 0 && (count == 0 || polygons->IsHomogeneous() == 3))
   {
-    this->TakeTriangles(polygons);
+    static_assert(sizeof(vtkTypeInt64) == sizeof(std::int64_t), "the same type by two names");
+    auto* const wide =
+      vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(polygons->GetConnectivityArray());
+    if (!wide)
+    {
+      FFOutput::CopyCells(polygons, this->Copy);
+    }
+    this->View.corners = wide && count > 0
+      ? reinterpret_cast<const std::int64_t*>(wide->GetPointer(beginOf(polygons, 0)))
+      : this->Copy.connectivity.data();
+    this->View.count = count;
     return;
   }
-  this->TakePolygons(polygons, surface->GetStrips());
-  flipflop::PolygonView view;
-  view.corners = this->Corners.data();
-  view.offsets = this->Offsets.data();
-  view.count = static_cast<std::int64_t>(this->CellIds.size());
+
+  vtkNew<vtkCellArray> all;
+  for (vtkIdType i = 0; i < count + strips->GetNumberOfCells(); ++i)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    if (i < count)
+    {
+      polygons->GetCellAtId(i, size, corners);
+      all->InsertNextCell(size, corners);
+    }
+    else
+    {
+      strips->GetCellAtId(i - count, size, corners);
+      vtkTriangleStrip::DecomposeStrip(static_cast<int>(size), corners, all);
+    }
+    this->CellIds.resize(static_cast<std::size_t>(all->GetNumberOfCells()), i);
+  }
+  FFOutput::CopyCells(all, this->Copy);
   try
   {
-    this->Triangles = flipflop::triangulatePolygons(points, view, options);
+    this->Triangles = flipflop::triangulatePolygons(points,
+      { this->Copy.connectivity.data(), this->Copy.offsets.data(), this->Copy.cellCount() },
+      options);
   }
   catch (const flipflop::Error& error)
   {
@@ -148,69 +174,6 @@ FFSurfaceCells::FFSurfaceCells(
   }
   this->View.corners = this->Triangles.corners.data();
   this->View.count = static_cast<std::int64_t>(this->Triangles.polygonIds.size());
-}
-
-//------------------------------------------------------------------------------
-void FFSurfaceCells::TakeTriangles(vtkCellArray* cells)
-{
-  this->View.count = cells->GetNumberOfCells();
-  if (this->View.count == 0)
-  {
-    return;
-  }
-  vtkDataArray* corners = cells->GetConnectivityArray();
-  const vtkIdType first = beginOf(cells, 0);
-  if (auto* wide = vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(corners))
-  {
-    static_assert(sizeof(vtkTypeInt64) == sizeof(std::int64_t), "the same type by two names");
-    this->View.corners = reinterpret_cast<const std::int64_t*>(wide->GetPointer(first));
-    return;
-  }
-  flipflop::CellComplex copy;
-  FFOutput::CopyCells(cells, copy);
-  this->Copy = std::move(copy.connectivity);
-  this->View.corners = this->Copy.data();
-}
-
-//------------------------------------------------------------------------------
-void FFSurfaceCells::TakePolygons(vtkCellArray* polygons, vtkCellArray* strips)
-{
-  this->Offsets.push_back(0);
-  vtkIdType size = 0;
-  const vtkIdType* corners = nullptr;
-  for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i)
-  {
-    polygons->GetCellAtId(i, size, corners);
-    this->Corners.insert(this->Corners.end(), corners, corners + size);
-    this->Offsets.push_back(static_cast<std::int64_t>(this->Corners.size()));
-    this->CellIds.push_back(i);
-  }
-  for (vtkIdType i = 0; i < strips->GetNumberOfCells(); ++i)
-  {
-    strips->GetCellAtId(i, size, corners);
-    for (vtkIdType k = 0; k + 2 < size; ++k)
-    {
-      // Every other triangle of a strip goes the other way round.
-      const vtkIdType odd = k % 2;
-      for (const vtkIdType corner : { corners[k + odd], corners[k + 1 - odd], corners[k + 2] })
-      {
-        this->Corners.push_back(corner);
-      }
-      this->Offsets.push_back(static_cast<std::int64_t>(this->Corners.size()));
-      this->CellIds.push_back(polygons->GetNumberOfCells() + i);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-std::int64_t FFSurfaceCells::CellOf(std::int64_t triangle) const
-{
-  if (this->CellIds.empty() || triangle < 0)
-  {
-    return triangle;
-  }
-  const std::int64_t polygon = this->Triangles.polygonIds[static_cast<std::size_t>(triangle)];
-  return this->CellIds[static_cast<std::size_t>(polygon)];
 }
 
 //------------------------------------------------------------------------------
@@ -230,10 +193,17 @@ flipflop::Hull FFSurfaceCells::FlipFlop(
       case flipflop::ErrorCode::NotManifold:
       case flipflop::ErrorCode::NotOriented:
       case flipflop::ErrorCode::NotStarShaped:
-        throw flipflop::Error(error.code(), this->CellOf(error.index()), error.count());
+        break;
       default:
         throw;
     }
+    std::int64_t cell = error.index();
+    if (cell >= 0 && !this->CellIds.empty())
+    {
+      const std::int64_t polygon = this->Triangles.polygonIds[static_cast<std::size_t>(cell)];
+      cell = this->CellIds[static_cast<std::size_t>(polygon)];
+    }
+    throw flipflop::Error(error.code(), cell, error.count());
   }
 }
 VTK_ABI_NAMESPACE_END

@@ -14,6 +14,7 @@
 #include "vtkFFMarks.h"
 #include "vtkType.h"
 
+#include <flipflop/CellComplex.h>
 #include <flipflop/Convexify.h>
 #include <flipflop/SurfacePolygons.h>
 
@@ -58,9 +59,7 @@ public:
   FFSurfaceCells(const FFSurfaceCells&) = delete;
   void operator=(const FFSurfaceCells&) = delete;
 
-  /**
-   * The triangles; valid as long as this object and the surface exist.
-   */
+  /// The triangles; valid as long as this object and the surface exist.
   const flipflop::TriangleView& GetView() const { return this->View; }
 
   /**
@@ -72,19 +71,10 @@ public:
     const flipflop::Options& options) const;
 
 private:
-  void TakeTriangles(vtkCellArray* cells);
-  void TakePolygons(vtkCellArray* polygons, vtkCellArray* strips);
-
-  /// The cell that a triangle is of.
-  std::int64_t CellOf(std::int64_t triangle) const;
-
   flipflop::TriangleView View;
-  flipflop::Buffer<std::int64_t> Copy; // of corners that are no 64-bit integers
-  // Where not all cells are triangles:
-  std::vector<std::int64_t> Corners; // of all polygons
-  std::vector<std::int64_t> Offsets; // where each begins, and the end
-  std::vector<std::int64_t> CellIds; // of each; a strip is several triangles
-  flipflop::PolygonTriangles Triangles;
+  flipflop::CellComplex Copy;           // of cells that the engine does not read in place
+  flipflop::PolygonTriangles Triangles; // that polygons were cut into
+  std::vector<std::int64_t> CellIds;    // of polygons; a strip is several triangles
 };
 VTK_ABI_NAMESPACE_END
 

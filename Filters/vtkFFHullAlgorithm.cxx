@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFFHullAlgorithm.h"
 
+#include "FFExactValues.h"
 #include "FFHullResult.h"
 #include "FFOutput.h"
-#include "FFPointSource.h"
 #include "FFRun.h"
 
 #include <flipflop/HullQueries.h>

@@ -4,7 +4,6 @@
 
 #include "FFBlocks.h"
 #include "FFHullResult.h"
-#include "FFHullStream.h"
 #include "FFInput.h"
 #include "FFOutput.h"
 #include "FFRun.h"

@@ -3,12 +3,11 @@
 #include "vtkFFPointInterpolator2D.h"
 
 #include "FFBlocks.h"
+#include "FFExactValues.h"
 #include "FFInput.h"
 #include "FFInterpolatedData.h"
 #include "FFOutput.h"
-#include "FFPointSource.h"
 #include "FFRun.h"
-#include "FFWeightSource.h"
 
 #include <flipflop/RegularTriangulation.h>
 #include <flipflop/TriangulationQueries.h>

@@ -3,7 +3,7 @@
 #include "vtkFFPowerDiagramFilter.h"
 
 #include "FFPlanarInput.h"
-#include "FFPowerCells.h"
+#include "FFPlanarOutput.h"
 #include "FFRun.h"
 
 #include <flipflop/PowerDiagram.h>

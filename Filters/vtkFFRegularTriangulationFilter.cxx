@@ -5,8 +5,8 @@
 #include "FFConstraints.h"
 #include "FFOutput.h"
 #include "FFPlanarInput.h"
+#include "FFPlanarOutput.h"
 #include "FFRun.h"
-#include "FFTriangulationOutput.h"
 
 #include <flipflop/CellComplex.h>
 #include <flipflop/ConstrainedTriangulation.h>

@@ -3,7 +3,6 @@
 #include "vtkFFStreamedWriter.h"
 
 #include "FFInput.h"
-#include "FFInputPieces.h"
 #include "FFOutput.h"
 #include "FFPlanarInput.h"
 #include "FFRun.h"

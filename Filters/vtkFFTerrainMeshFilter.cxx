@@ -3,12 +3,11 @@
 #include "vtkFFTerrainMeshFilter.h"
 
 #include "FFConstraints.h"
+#include "FFExactValues.h"
 #include "FFInput.h"
 #include "FFOutput.h"
 #include "FFPlanarInput.h"
-#include "FFPointSource.h"
 #include "FFRun.h"
-#include "FFWeightSource.h"
 
 #include <flipflop/PlaneFit.h>
 #include <flipflop/TerrainMesh.h>

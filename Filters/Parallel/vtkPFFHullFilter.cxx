@@ -6,7 +6,6 @@
 #include "FFDistributedInput.h"
 #include "FFDistributedPoints.h"
 #include "FFHullResult.h"
-#include "FFHullStream.h"
 #include "FFInput.h"
 #include "FFOutput.h"
 #include "FFPointMessage.h"

@@ -5,7 +5,7 @@
 #include "FFDistributedCells.h"
 #include "FFDistributedInput.h"
 #include "FFDistributedTriangulation.h"
-#include "FFPowerCells.h"
+#include "FFPlanarOutput.h"
 #include "FFProcesses.h"
 #include "FFRun.h"
 

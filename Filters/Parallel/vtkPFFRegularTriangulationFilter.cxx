@@ -4,9 +4,9 @@
 
 #include "FFDistributedInput.h"
 #include "FFDistributedTriangulation.h"
+#include "FFPlanarOutput.h"
 #include "FFProcesses.h"
 #include "FFRun.h"
-#include "FFTriangulationOutput.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
