@@ -29,6 +29,36 @@ namespace
 using flipflop::PointRegions;
 using Point = FFDistributedCells::Point;
 
+/// Where points lie, for regions: in the plane, where they are; in space, in their box as a cube,
+/// so that the regions of a long or a flat hull are compact. Collective.
+std::vector<PointRegions::Key> keysOf(
+  flipflop::BlockShape shape, const std::vector<Point>& points, FFProcesses& processes)
+{
+  std::vector<double> box(6, std::numeric_limits<double>::infinity()); // least x, y, z, -x, -y, -z
+  for (const Point& point : points)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      box[k] = std::min(box[k], point.Position[k]);
+      box[k + 3] = std::min(box[k + 3], -point.Position[k]);
+    }
+  }
+  box = processes.Least(box);
+  std::vector<PointRegions::Key> keys;
+  keys.reserve(points.size());
+  for (const Point& point : points)
+  {
+    PointRegions::Key key{ point.Position[0], point.Position[1] };
+    for (std::size_t k = 0; k < 3 && shape == flipflop::BlockShape::Hull; ++k)
+    {
+      const double size = -0.5 * box[k + 3] - 0.5 * box[k]; // the whole may overflow
+      key[k] = size > 0.0 ? (0.5 * point.Position[k] - 0.5 * box[k]) / size : 0.0;
+    }
+    keys.push_back(key);
+  }
+  return keys;
+}
+
 /// Some of the keys: of all processes' together, so many or all. The same ones each time.
 std::vector<PointRegions::Key> sampleOf(
   const std::vector<PointRegions::Key>& keys, vtkIdType all, vtkIdType wanted)
@@ -53,12 +83,7 @@ flipflop::BlockPoints redistribute(
   const int count = processes.GetCount();
   std::vector<int> regions(points.size());
   {
-    std::vector<PointRegions::Key> keys;
-    for (const Point& point : points)
-    {
-      const double* const x = point.Position;
-      keys.push_back({ x[0], x[1], shape == flipflop::BlockShape::Hull ? x[2] : 0.0 });
-    }
+    const std::vector<PointRegions::Key> keys = keysOf(shape, points, processes);
     const vtkIdType all = processes.Sum(static_cast<vtkIdType>(keys.size()));
     const auto wanted = PointRegions::sampleSize(static_cast<std::size_t>(count));
     std::vector<PointRegions::Key> sample;

@@ -27,6 +27,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -205,33 +206,32 @@ void join(vtkPFFHullFilter* filter, bool mayStay, FFProcesses& processes, FFHull
 void countPieces(FFHullResult& hull, FFProcesses& processes)
 {
   FFRun& run = processes.GetRun();
-  std::vector<vtkIdType> own; // numbers of points, and blocks
+  using Part = std::array<vtkIdType, 2>; // number of points, and block
+  std::vector<Part> own;
   for (const FFRun::PartType& part : run.Parts)
   {
-    own.insert(own.end(), { part.NumberOfPoints, static_cast<vtkIdType>(part.FlatIndex) });
+    own.push_back({ part.NumberOfPoints, static_cast<vtkIdType>(part.FlatIndex) });
   }
   if (own.empty())
   {
-    own = { run.FirstId, 0 };
+    own.push_back({ run.FirstId, 0 });
   }
-  const std::vector<std::vector<vtkIdType>> all = processes.Gather(own);
-  const auto rank = static_cast<std::size_t>(processes.GetRank());
   run.Parts.clear();
   bool isComposite = false;
   vtkIdType counted = 0;
-  for (std::size_t process = 0; process < all.size(); ++process)
+  int process = 0;
+  for (const std::vector<Part>& parts : processes.Gather(own))
   {
-    if (process == rank)
+    if (process++ == processes.GetRank())
     {
       FFOutput::Renumber(
         hull.Data->GetPointData(), [counted](vtkIdType id) { return counted + id; });
     }
-    for (std::size_t k = 0; k < all[process].size(); k += 2)
+    for (const Part& part : parts)
     {
-      const auto block = static_cast<unsigned int>(all[process][k + 1]);
-      run.Parts.push_back({ all[process][k], {}, block });
-      isComposite = isComposite || block > 0;
-      counted += all[process][k];
+      run.Parts.push_back({ part[0], {}, static_cast<unsigned int>(part[1]) });
+      isComposite = isComposite || part[1] > 0;
+      counted += part[0];
     }
   }
   if (!isComposite)

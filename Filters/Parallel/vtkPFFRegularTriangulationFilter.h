@@ -4,12 +4,12 @@
  * @class   vtkPFFRegularTriangulationFilter
  * @brief   the exact regular triangulation of points that are distributed over processes
  *
- * Each process of a vtkMultiProcessController has a piece of the points, and gets a share of the
- * one triangulation: the cells of a region of the plane, about as many as the others, with their
- * points (port 0) and hidden points (port 1). The shares are, bit for bit, what the superclass
- * gives for the pieces of process 0, 1, 2... appended in this order. A point may be on several
- * processes: all but one mark it in vtkGhostType as vtkDataSetAttributes::DUPLICATEPOINT. Alpha
- * shapes' lines, vertices and values, the boundary and constraints need all cells: errors.
+ * Each process of a vtkMultiProcessController has a piece of the points, and gets the cells of a
+ * region of the plane, about as many as the others, with their points (port 0), and the hidden
+ * points there (port 1). Together, these are, bit for bit, what the superclass gives for the pieces
+ * of process 0, 1, 2... appended in this order. A point may be on several processes: all but one
+ * mark it in vtkGhostType as vtkDataSetAttributes::DUPLICATEPOINT. AlphaLines, AlphaVerts,
+ * GenerateAlphas, GenerateBoundary and constraints need all cells: they are errors.
  *
  * What follows is true of all filters of this module. On one process, each is its superclass.
  *
@@ -18,10 +18,9 @@
  *   for triangulations. NumberOfThreads -1 means 0: they share threads.
  * - Ghost points are left out where they are; ids count the others.
  *   Arrays of numbers and strings go along, without tables and keys.
- * - In a composite, the blocks in the same place on all processes are
- *   one block. All have as many, with or without data. All partitions
- *   of a vtkPartitionedDataSet are one block, with one result. Field
- *   data is the process's own.
+ * - Blocks in the same place of a composite on all processes are one.
+ *   All have as many, with or without data. All partitions of a
+ *   vtkPartitionedDataSet are one block. Field data is a process's own.
  * - An error or an abort on one process is one of all. Process 0
  *   reports it; the others have the code. A block at fault has no
  *   result anywhere, the others have theirs.
@@ -29,8 +28,7 @@
  *   the others their own. Dimension, volume and area are of all, other
  *   statistics of the process's own work.
  *
- * @sa
- * vtkFFRegularTriangulationFilter vtkPFFHullFilter vtkPFFPowerDiagramFilter
+ * @sa vtkPFFHullFilter vtkPFFPowerDiagramFilter
  */
 
 #ifndef vtkPFFRegularTriangulationFilter_h
