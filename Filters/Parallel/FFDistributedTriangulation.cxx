@@ -7,7 +7,6 @@
 #include "FFRun.h"
 #include "vtkFFPlanarAlgorithm.h"
 
-#include <flipflop/Engines.h>
 #include <flipflop/PlaneFit.h>
 
 #include "vtkCellData.h"
@@ -21,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -39,17 +37,6 @@ constexpr double isFetched = 0.95;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A point of a view, in space.
-std::array<double, 3> pointAt(const flipflop::PointView& view, std::int64_t i)
-{
-  std::array<double, 3> point;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    point[k] = FFPlanarInput::NumberAt(view, i * view.stride + static_cast<std::int64_t>(k));
-  }
-  return point;
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -63,8 +50,6 @@ FFDistributedTriangulation::FFDistributedTriangulation(
   , Extent(5, infinity)
   , Counts(3)
 {
-  std::snprintf(this->Run.EngineReport.reason, sizeof(this->Run.EngineReport.reason), "%s",
-    "several processes triangulate together on their CPUs");
 }
 
 //------------------------------------------------------------------------------
@@ -81,7 +66,11 @@ void FFDistributedTriangulation::Compute(const std::vector<FFInput::PieceType>& 
   this->Read(pieces);
   if (this->Filter->GetProjectionPlaneMode() == vtkFFPlanarAlgorithm::BEST_FITTING_PLANE)
   {
-    this->FitPlane();
+    this->FitPlane(); // all processes have a part of it
+  }
+  else
+  {
+    this->Input.Project();
   }
   std::vector<FFDistributedCells::Point> points = this->TakePoints();
   this->Extent = this->Processes.Least(this->Extent);
@@ -102,11 +91,7 @@ void FFDistributedTriangulation::Compute(const std::vector<FFInput::PieceType>& 
 void FFDistributedTriangulation::Read(const std::vector<FFInput::PieceType>& pieces)
 {
   this->BeginStep(isRead);
-  if (this->Run.Engine.choice == flipflop::EngineChoice::CUDA)
-  {
-    throw FFBadSetting("The CUDA engine was asked for, but several processes triangulate "
-                       "together on their CPUs. Set Engine to Automatic or CPU.");
-  }
+  this->Run.UseCPU("several processes triangulate together on their CPUs");
   auto* const only = pieces.size() == 1 ? vtkDataSet::SafeDownCast(pieces[0].Data) : nullptr;
   if (only)
   {
@@ -125,11 +110,6 @@ void FFDistributedTriangulation::Read(const std::vector<FFInput::PieceType>& pie
   this->Input.SetPoints(points);
   this->Source.SetPoints(points);
   this->Input.SetWeights(this->FindOwnWeights());
-  // Of a plane that fits, all processes have a part.
-  if (this->Filter->GetProjectionPlaneMode() != vtkFFPlanarAlgorithm::BEST_FITTING_PLANE)
-  {
-    this->Input.Project();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -167,14 +147,14 @@ void FFDistributedTriangulation::FitPlane()
 //------------------------------------------------------------------------------
 std::vector<FFDistributedCells::Point> FFDistributedTriangulation::TakePoints()
 {
-  const flipflop::PointView& space = this->Input.GetSpace();
+  vtkPointSet* const own = this->Input.GetPoints();
   std::vector<FFDistributedCells::Point> points;
-  points.reserve(static_cast<std::size_t>(space.count));
+  points.reserve(static_cast<std::size_t>(own->GetNumberOfPoints()));
   this->Counts[1] = static_cast<vtkIdType>(this->Input.VisitPoints(
     [&](std::int64_t i, double x, double y, double weight)
     {
       points.push_back({ { x, y, weight }, this->Source.GetBegin() + i });
-      const double extent[5] = { x, -x, y, -y, pointAt(space, i)[2] };
+      const double extent[5] = { x, -x, y, -y, own->GetPoint(static_cast<vtkIdType>(i))[2] };
       std::transform(extent, extent + 5, this->Extent.begin(), this->Extent.begin(),
         [](double a, double b) { return std::min(b, a); });
     }));
@@ -186,8 +166,10 @@ void FFDistributedTriangulation::LookForVerticalPlane()
 {
   // The hull of the hulls is the hull.
   std::vector<std::array<double, 3>> points;
-  this->Input.VisitPoints([&](std::int64_t i, double, double, double)
-    { points.push_back(pointAt(this->Input.GetSpace(), i)); });
+  this->Input.VisitPoints(
+    [&](std::int64_t i, double, double, double) {
+      this->Input.GetPoints()->GetPoint(static_cast<vtkIdType>(i), points.emplace_back().data());
+    });
   std::vector<std::array<double, 3>> corners;
   for (const std::int64_t corner : FFPlanarInput::HullInSpace(points, this->Run.Options).pointIds)
   {
