@@ -13,6 +13,9 @@
 #include "vtkDIYUtilities.h"
 #endif
 
+#include <iterator>
+#include <numeric>
+
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {

@@ -9,13 +9,10 @@
 #include "FFProcesses.h"
 #include "FFRun.h"
 
-#include <flipflop/BlockRun.h>
 #include <flipflop/PowerDiagram.h>
 
 #include "vtkDataSetAttributes.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -23,11 +20,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <numeric>
 #include <optional>
-#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN

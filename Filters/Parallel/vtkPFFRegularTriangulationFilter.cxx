@@ -8,7 +8,6 @@
 #include "FFRun.h"
 #include "FFTriangulationOutput.h"
 
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
