@@ -13,6 +13,8 @@
 #include "vtkDIYUtilities.h"
 #endif
 
+#include <algorithm>
+#include <array>
 #include <iterator>
 #include <numeric>
 
@@ -132,31 +134,25 @@ bool FFProcesses::Share()
 {
   FFFailure& failure = this->Run.Failure;
   this->Run.NoteAbort();
-  constexpr std::size_t size = 5;
-  const vtkIdType own[size] = { failure.Kind, failure.Point, failure.Count,
+  using Values = std::array<vtkIdType, 5>;
+  const Values own{ failure.Kind, failure.Point, failure.Count,
     static_cast<vtkIdType>(failure.Code), static_cast<vtkIdType>(failure.Message.size()) };
-  std::vector<vtkIdType> all(size * static_cast<std::size_t>(this->Count));
-  this->Controller->AllGather(own, all.data(), size);
+  std::vector<Values> all(static_cast<std::size_t>(this->Count));
+  this->Controller->AllGather(own.data(), all[0].data(), static_cast<vtkIdType>(own.size()));
   FFFailure together;
-  int reporter = 0; // the process whose message it is
-  vtkIdType length = 0;
-  for (int process = 0; process < this->Count; ++process)
+  for (const Values& values : all)
   {
-    const vtkIdType* const values = all.data() + size * static_cast<std::size_t>(process);
-    const FFFailure::KindType before = together.Kind;
     together.Add({ static_cast<FFFailure::KindType>(values[0]), values[1], values[2],
       static_cast<unsigned long>(values[3]), {} });
-    if (together.Kind != before)
-    {
-      reporter = process;
-      length = values[4];
-    }
   }
   if (together.Kind == FFFailure::Other)
   {
+    const auto reporter = std::find_if(
+      all.begin(), all.end(), [](const Values& values) { return values[0] == FFFailure::Other; });
     together.Message = failure.Message;
-    together.Message.resize(static_cast<std::size_t>(length));
-    this->Controller->Broadcast(&together.Message[0], length, reporter);
+    together.Message.resize(static_cast<std::size_t>((*reporter)[4]));
+    this->Broadcast(
+      &together.Message[0], together.Message.size(), static_cast<int>(reporter - all.begin()));
   }
   failure = together;
   return !failure;
