@@ -4,6 +4,8 @@
 
 #include "FFProcesses.h"
 
+#include <flipflop/PointRegions.h>
+
 #include "vtkDataSetAttributes.h"
 #include "vtkNew.h"
 #include "vtkUnsignedCharArray.h"
@@ -15,6 +17,7 @@
 #include <cstring>
 #include <limits>
 #include <numeric>
+#include <random>
 #include <set>
 #include <utility>
 
@@ -22,29 +25,103 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
-/// The volume and the area of the hull of which each block has some cells. Collective.
-void measure(const flipflop::BlockRun& run, const flipflop::BlockResult& result,
-  FFProcesses& processes, double* size)
+using flipflop::PointRegions;
+using Point = FFDistributedCells::Point;
+
+/// Where points lie, for regions: in the plane, where they are; in space, in their box as a cube,
+/// so that the regions of a long or a flat hull are compact. Collective.
+std::vector<PointRegions::Key> keysOf(
+  flipflop::BlockShape shape, const std::vector<Point>& points, FFProcesses& processes)
 {
-  // Volumes are measured from the hull's first point.
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto& ids = result.cells.pointIds;
-  const vtkIdType own = ids.empty() ? VTK_ID_MAX : static_cast<vtkIdType>(ids[0]);
-  const vtkIdType first = processes.Least(std::vector<vtkIdType>{ own })[0];
-  std::vector<double> origin(3, infinity);
-  if (own == first && !ids.empty())
+  std::vector<double> box(6, std::numeric_limits<double>::infinity()); // least x, y, z, -x, -y, -z
+  for (const Point& point : points)
   {
-    std::copy_n(result.positions.begin(), 3, origin.begin());
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      box[k] = std::min(box[k], point.Position[k]);
+      box[k + 3] = std::min(box[k + 3], -point.Position[k]);
+    }
   }
-  origin = processes.Least(origin);
-  const flipflop::BlockMeasure share = run.measure(result, origin.data());
-  const auto sums = processes.Sum(std::vector<vtkIdType>(share.parts, share.parts + 4));
-  flipflop::BlockMeasure sum;
-  std::copy_n(sums.begin(), 4, sum.parts);
-  run.sizeOf(sum, size[0], size[1]);
+  box = processes.Least(box);
+  std::vector<PointRegions::Key> keys;
+  keys.reserve(points.size());
+  for (const Point& point : points)
+  {
+    PointRegions::Key key{ point.Position[0], point.Position[1] };
+    for (std::size_t k = 0; k < 3 && shape == flipflop::BlockShape::Hull; ++k)
+    {
+      const double size = -0.5 * box[k + 3] - 0.5 * box[k]; // the whole may overflow
+      key[k] = size > 0.0 ? (0.5 * point.Position[k] - 0.5 * box[k]) / size : 0.0;
+    }
+    keys.push_back(key);
+  }
+  return keys;
 }
 
-/// A corner of a cell. The last one of a cell has its block as a negative number in a message.
+/// Some of the keys: of all processes' together, so many or all. The same ones each time.
+std::vector<PointRegions::Key> sampleOf(
+  const std::vector<PointRegions::Key>& keys, vtkIdType all, vtkIdType wanted)
+{
+  if (all <= wanted)
+  {
+    return keys;
+  }
+  const double share = static_cast<double>(keys.size()) / static_cast<double>(all);
+  std::vector<PointRegions::Key> sample(
+    static_cast<std::size_t>(share * static_cast<double>(wanted) + 0.5));
+  // By chance, since every n-th may lie along one line of a grid.
+  std::mt19937_64 generator(keys.size());
+  std::generate(sample.begin(), sample.end(), [&] { return keys[generator() % keys.size()]; });
+  return sample;
+}
+
+/// The points of this process's region, by ascending ids. Collective.
+flipflop::BlockPoints redistribute(
+  flipflop::BlockShape shape, std::vector<Point> points, FFProcesses& processes)
+{
+  const int count = processes.GetCount();
+  std::vector<int> regions(points.size());
+  {
+    const std::vector<PointRegions::Key> keys = keysOf(shape, points, processes);
+    const vtkIdType all = processes.Sum(static_cast<vtkIdType>(keys.size()));
+    const auto wanted = PointRegions::sampleSize(static_cast<std::size_t>(count));
+    std::vector<PointRegions::Key> sample;
+    for (const auto& part : processes.Gather(sampleOf(keys, all, static_cast<vtkIdType>(wanted))))
+    {
+      sample.insert(sample.end(), part.begin(), part.end());
+    }
+    PointRegions(std::move(sample), count).find(keys.data(), keys.size(), regions.data());
+  }
+  FFProcesses::Messages messages;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    FFProcesses::Append(&points[i], 1, messages[regions[i]]);
+  }
+  std::vector<Point>().swap(points);
+  processes.Exchange(messages);
+
+  flipflop::BlockPoints received;
+  std::size_t total = 0;
+  for (const auto& message : messages)
+  {
+    total += message.second.size() / sizeof(Point);
+  }
+  received.positions.allocate(3 * total);
+  received.ids.allocate(total);
+  std::size_t i = 0;
+  for (auto& message : messages)
+  {
+    for (const Point& point : FFProcesses::ValuesOf<Point>(message.second))
+    {
+      std::copy_n(point.Position, 3, received.positions.data() + 3 * i);
+      received.ids[i++] = point.Id;
+    }
+    FFProcesses::Message().swap(message.second);
+  }
+  return received;
+}
+
+/// A corner of a cell. The first one of a cell has its block as a negative number in a message.
 struct Corner
 {
   std::int64_t Id;
@@ -58,78 +135,76 @@ Corner cornerOf(const flipflop::BlockResult& result, std::size_t point)
   return { result.cells.pointIds[point], { x[0], x[1], x[2] }, result.blocks[point] };
 }
 
-/// Cells by the ids of their corners.
-struct CellList
+/// The volume and the area of the hull of which each block has some cells. Collective.
+void measure(const flipflop::BlockRun& run, const flipflop::BlockResult& result,
+  FFProcesses& processes, double* size)
 {
-  std::vector<Corner> Corners;   ///< with their data: of all points, some repeated
-  std::vector<std::int64_t> Ids; ///< of the corners of all cells
-  std::vector<std::size_t> Ends; ///< of each cell's ids
-
-  void AddCorner(const Corner& corner, bool isLast)
+  // Volumes are measured from the hull's first point.
+  std::vector<Corner> own;
+  if (!result.cells.pointIds.empty())
   {
-    this->Corners.push_back(corner);
-    this->Ids.push_back(corner.Id);
-    if (isLast)
-    {
-      this->Ends.push_back(this->Ids.size());
-    }
+    own.push_back(cornerOf(result, 0));
   }
-
-  /// Points in the order of ids, once each.
-  void WritePoints(flipflop::BlockResult& result)
+  Corner first{ std::numeric_limits<std::int64_t>::max(), { 0.0, 0.0, 0.0 }, 0 };
+  for (const std::vector<Corner>& corners : processes.Gather(own))
   {
-    std::sort(this->Corners.begin(), this->Corners.end(),
-      [](const Corner& a, const Corner& b) { return a.Id < b.Id; });
-    const auto end = std::unique(this->Corners.begin(), this->Corners.end(),
-      [](const Corner& a, const Corner& b) { return a.Id == b.Id; });
-    this->Corners.erase(end, this->Corners.end());
-    const std::size_t count = this->Corners.size();
-    result.cells.pointIds.allocate(count);
-    result.positions.allocate(3 * count);
-    result.blocks.allocate(count);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      result.cells.pointIds[i] = this->Corners[i].Id;
-      std::copy_n(this->Corners[i].Position, 3, result.positions.data() + 3 * i);
-      result.blocks[i] = static_cast<std::int32_t>(this->Corners[i].Block);
-    }
+    first = !corners.empty() && corners[0].Id < first.Id ? corners[0] : first;
   }
+  const flipflop::BlockMeasure share = run.measure(result, first.Position);
+  const auto sums = processes.Sum(std::vector<vtkIdType>(share.parts, share.parts + 4));
+  flipflop::BlockMeasure sum;
+  std::copy_n(sums.begin(), 4, sum.parts);
+  run.sizeOf(sum, size[0], size[1]);
+}
 
-  /// Cells in canonical order, of the dimension that they have already. Returns which they are.
-  std::vector<std::size_t> WriteCells(bool asPolygons, flipflop::CellComplex& cells) const
+/// Points, some of them repeated, become those of a result: in the order of ids, once each.
+void writePoints(std::vector<Corner>& points, flipflop::BlockResult& result)
+{
+  std::sort(
+    points.begin(), points.end(), [](const Corner& a, const Corner& b) { return a.Id < b.Id; });
+  const auto end = std::unique(
+    points.begin(), points.end(), [](const Corner& a, const Corner& b) { return a.Id == b.Id; });
+  points.erase(end, points.end());
+  result.cells.pointIds.allocate(points.size());
+  result.positions.allocate(3 * points.size());
+  result.blocks.allocate(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const auto begin = [&](std::size_t cell)
-    { return this->Ids.begin() + static_cast<std::ptrdiff_t>(cell ? this->Ends[cell - 1] : 0); };
-    const auto end = [&](std::size_t cell)
-    { return this->Ids.begin() + static_cast<std::ptrdiff_t>(this->Ends[cell]); };
-    std::vector<std::size_t> order(this->Ends.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(),
-      [&](std::size_t a, std::size_t b)
-      { return std::lexicographical_compare(begin(a), end(a), begin(b), end(b)); });
-    cells.cellSize = asPolygons ? 0 : cells.dimension + 1;
-    cells.connectivity.allocate(this->Ids.size());
-    cells.offsets.allocate(asPolygons ? order.size() + 1 : 0);
-    std::size_t size = 0;
-    for (std::size_t i = 0; i < order.size(); ++i)
-    {
-      if (asPolygons)
+    result.cells.pointIds[i] = points[i].Id;
+    std::copy_n(points[i].Position, 3, result.positions.data() + 3 * i);
+    result.blocks[i] = static_cast<std::int32_t>(points[i].Block);
+  }
+}
+
+/// Cells by the ids of their corners, and where each begins, become those of a complex that has the
+/// points: in canonical order. Returns which they are.
+std::vector<std::size_t> writeCells(const std::vector<std::int64_t>& ids,
+  const std::vector<std::size_t>& begins, flipflop::CellComplex& cells)
+{
+  const auto idsOf = [&](std::size_t cell)
+  { return ids.begin() + static_cast<std::ptrdiff_t>(begins[cell]); };
+  std::vector<std::size_t> order(begins.size() - 1);
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b)
+    { return std::lexicographical_compare(idsOf(a), idsOf(a + 1), idsOf(b), idsOf(b + 1)); });
+  cells.connectivity.allocate(ids.size());
+  cells.offsets.allocate(begins.size());
+  std::int64_t* to = cells.connectivity.data();
+  std::int64_t* end = cells.offsets.data();
+  *end = 0;
+  for (const std::size_t cell : order)
+  {
+    to = std::transform(idsOf(cell), idsOf(cell + 1), to,
+      [&](std::int64_t id)
       {
-        cells.offsets[i] = static_cast<std::int64_t>(size);
-      }
-      for (auto id = begin(order[i]); id != end(order[i]); ++id)
-      {
-        const auto at = std::lower_bound(cells.pointIds.begin(), cells.pointIds.end(), *id);
-        cells.connectivity[size++] = at - cells.pointIds.begin();
-      }
-    }
-    if (asPolygons)
-    {
-      cells.offsets[order.size()] = static_cast<std::int64_t>(size);
-    }
-    return order;
+        return std::lower_bound(cells.pointIds.begin(), cells.pointIds.end(), id) -
+          cells.pointIds.begin();
+      });
+    *++end = to - cells.connectivity.data();
   }
-};
+  return order;
+}
 
 using Key = std::array<std::int64_t, 2>;
 
@@ -180,38 +255,16 @@ std::vector<bool> find(
 
 //------------------------------------------------------------------------------
 flipflop::BlockResult FFDistributedCells::Compute(flipflop::BlockShape shape,
-  flipflop::BlockPoints&& points, const flipflop::Options& options, FFProcesses& processes,
+  std::vector<Point>&& points, const flipflop::Options& options, FFProcesses& processes,
   double* size)
 {
-  flipflop::BlockPoints own = std::move(points);
-  flipflop::BlockRun run(shape, own, options);
-  own = {}; // not needed any longer
-  FFProcesses::Messages messages;
-  const flipflop::BlockMessage summary = run.summary();
-  for (int process = 0; process < processes.GetCount(); ++process)
+  flipflop::BlockRun run(shape, redistribute(shape, std::move(points), processes), options);
+  run.begin(processes.Gather(run.summary()), processes.GetRank());
+  for (vtkIdType queries = 1; queries > 0;)
   {
-    messages[process] = summary;
-  }
-  processes.Exchange(messages);
-  std::vector<flipflop::BlockMessage> summaries;
-  for (auto& message : messages)
-  {
-    summaries.push_back(std::move(message.second));
-  }
-  run.begin(summaries, processes.GetRank());
-  for (;;)
-  {
-    messages = run.makeQueries();
-    processes.Exchange(messages);
-    if (processes.GetNumberOfMessages() == 0)
-    {
-      break;
-    }
-    for (auto& message : messages)
-    {
-      message.second = run.reply(message.second);
-    }
-    processes.Exchange(messages);
+    FFProcesses::Messages messages = run.makeQueries();
+    queries = processes.Query(
+      messages, [&](const FFProcesses::Message& message) { return run.reply(message); });
     for (const auto& message : messages)
     {
       run.receive(message.first, message.second);
@@ -226,69 +279,82 @@ flipflop::BlockResult FFDistributedCells::Compute(flipflop::BlockShape shape,
 }
 
 //------------------------------------------------------------------------------
-flipflop::BlockResult FFDistributedCells::AddGhosts(flipflop::FacetMode facets,
-  const flipflop::BlockResult& own, FFProcesses& processes, std::vector<bool>& ghosts)
+std::vector<bool> FFDistributedCells::AddGhosts(
+  flipflop::FacetMode facets, flipflop::BlockResult& own, FFProcesses& processes)
 {
   const flipflop::CellComplex& cells = own.cells;
-  CellList list;
+  std::vector<Corner> points; // own ones, also without a cell; then corners of other blocks' cells
   for (std::size_t i = 0; i < cells.pointIds.size(); ++i)
   {
-    list.Corners.push_back(cornerOf(own, i)); // cells may not have all points
+    points.push_back(cornerOf(own, i));
   }
+  std::vector<std::int64_t> ids;   // of the corners of all cells, one cell after another
+  std::vector<std::size_t> begins; // of each cell's; then the end
   FFProcesses::Messages messages;
   for (std::int64_t cell = 0; cell < cells.cellCount(); ++cell)
   {
+    begins.push_back(ids.size());
     std::vector<Corner> corners;
     std::set<int> blocks; // that have a corner
     for (std::int64_t k = cells.cellBegin(cell); k < cells.cellBegin(cell + 1); ++k)
     {
       const std::int64_t point = cells.connectivity[static_cast<std::size_t>(k)];
-      corners.push_back(cornerOf(own, static_cast<std::size_t>(point)));
+      corners.push_back(points[static_cast<std::size_t>(point)]);
       blocks.insert(static_cast<int>(corners.back().Block));
-      list.Ids.push_back(corners.back().Id);
+      ids.push_back(corners.back().Id);
     }
-    list.Ends.push_back(list.Ids.size());
-    corners.back().Block = -1 - corners.back().Block;
+    corners[0].Block = -1 - corners[0].Block;
     blocks.erase(processes.GetRank());
     for (const int block : blocks)
     {
       FFProcesses::Append(corners.data(), corners.size(), messages[block]);
     }
   }
-  const std::size_t ownCells = list.Ends.size();
+  const std::size_t ownCells = begins.size();
   processes.Exchange(messages);
   for (const auto& message : messages)
   {
     for (Corner corner : FFProcesses::ValuesOf<Corner>(message.second))
     {
-      const bool isLast = corner.Block < 0;
-      corner.Block = isLast ? -1 - corner.Block : corner.Block;
-      list.AddCorner(corner, isLast);
+      if (corner.Block < 0)
+      {
+        begins.push_back(ids.size());
+        corner.Block = -1 - corner.Block;
+      }
+      ids.push_back(corner.Id);
+      points.push_back(corner);
     }
   }
-
+  begins.push_back(ids.size());
   flipflop::BlockResult all;
   all.cells.dimension = cells.dimension;
-  list.WritePoints(all);
-  const bool asPolygons = facets == flipflop::FacetMode::Polygons && cells.dimension == 2;
-  ghosts.clear();
-  for (const std::size_t cell : list.WriteCells(asPolygons, all.cells))
+  writePoints(points, all);
+  std::vector<bool> ghosts;
+  for (const std::size_t cell : writeCells(ids, begins, all.cells))
   {
     ghosts.push_back(cell >= ownCells);
   }
-  return all;
+  if (facets != flipflop::FacetMode::Polygons || cells.dimension != 2)
+  {
+    all.cells.cellSize = cells.dimension + 1;
+    all.cells.offsets = {};
+  }
+  all.cells.statistics = cells.statistics;
+  all.hiddenIds = std::move(own.hiddenIds);
+  own = std::move(all);
+  return ghosts;
 }
 
 //------------------------------------------------------------------------------
-std::vector<bool> FFDistributedCells::FindDuplicates(const flipflop::Buffer<std::int64_t>& ids,
-  const flipflop::Buffer<std::int32_t>& owners, FFProcesses& processes)
+std::vector<bool> FFDistributedCells::FindDuplicates(
+  const flipflop::BlockResult& cells, FFProcesses& processes)
 {
   std::vector<Key> keys;
-  for (const std::int64_t id : ids)
+  for (const std::int64_t id : cells.cells.pointIds)
   {
     keys.push_back({ id, 0 });
   }
-  return find(keys, { owners.begin(), owners.end() }, processes);
+  return find(keys, { cells.blocks.begin(), cells.blocks.end() }, processes);
 }
 
 //------------------------------------------------------------------------------

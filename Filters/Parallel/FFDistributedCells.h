@@ -4,7 +4,8 @@
  * Cells of the points of all processes, a block of points on each.
  *
  * A point on the border of two blocks is on both processes. All but one of those that have it mark
- * it as a duplicate, so that a sum over processes counts each point once.
+ * it as a duplicate, so that a sum over processes counts each point once. The functions are
+ * collective, unless stated otherwise.
  */
 
 #ifndef FFDistributedCells_h
@@ -25,33 +26,42 @@ class FFDistributedCells
 {
 public:
   /**
-   * The cells of this process's block: carries the messages of flipflop::BlockRun until no block
-   * has a query. Collective, as is the next function.
+   * A point: x, y, and z or weight.
+   */
+  struct Point
+  {
+    double Position[3];
+    std::int64_t Id;
+  };
+
+  /**
+   * The cells of a block of all processes' points. Points move to the processes of their regions
+   * (flipflop::PointRegions, over a sample of all points): each gets about as many, and points at
+   * the same position stay together. Ids ascend here and from process to process.
    *
    * @param options of each run
    * @param size    becomes the volume and the area of a hull; null: they are not wanted
    */
-  static flipflop::BlockResult Compute(flipflop::BlockShape shape, flipflop::BlockPoints&& points,
+  static flipflop::BlockResult Compute(flipflop::BlockShape shape, std::vector<Point>&& points,
     const flipflop::Options& options, FFProcesses& processes, double* size = nullptr);
 
   /**
-   * The cells of a block and those of other blocks that touch its points, so that all cells around
-   * these are there. They are in canonical form. Hidden points are not copied.
+   * Add the cells of other blocks that touch a block's points, so that all cells around these are
+   * there, in canonical form. Returns whether each of the cells is another block's.
    *
    * @param facets polygons or triangles: what the cells are
-   * @param ghosts becomes whether each of the cells is another block's
    */
-  static flipflop::BlockResult AddGhosts(flipflop::FacetMode facets,
-    const flipflop::BlockResult& own, FFProcesses& processes, std::vector<bool>& ghosts);
+  static std::vector<bool> AddGhosts(
+    flipflop::FacetMode facets, flipflop::BlockResult& cells, FFProcesses& processes);
 
   ///@{
   /**
    * Whether another process counts each of this process's points: its owner, if that has it, or
    * else the first process that has it. Points are the same by ids, or by positions (x, y of each),
-   * whose owner is any process, the same for all. Collective.
+   * whose owner is any process, the same for all.
    */
-  static std::vector<bool> FindDuplicates(const flipflop::Buffer<std::int64_t>& ids,
-    const flipflop::Buffer<std::int32_t>& owners, FFProcesses& processes);
+  static std::vector<bool> FindDuplicates(
+    const flipflop::BlockResult& cells, FFProcesses& processes);
   static std::vector<bool> FindDuplicatePositions(
     const flipflop::Buffer<double>& positions, FFProcesses& processes);
   ///@}

@@ -6,23 +6,22 @@
 #include "FFOutput.h"
 #include "FFProcesses.h"
 #include "FFRun.h"
-#include "vtkFFAlgorithm.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <cstring>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -96,22 +95,18 @@ std::vector<BlockType> blocksOf(vtkDataObject* input, bool joined)
     {
       BlockType block;
       block.FlatIndex = joined && nodes ? nodes->GetCurrentFlatIndex() : 0;
-      std::vector<vtkDataObject*> parts{ data };
-      if (auto* partitions = vtkPartitionedDataSet::SafeDownCast(data))
+      if (vtkPartitionedDataSet::SafeDownCast(data))
       {
         block.FlatIndex += joined; // that of the first partition
-        parts.clear();
-        for (unsigned int k = 0; k < partitions->GetNumberOfPartitions(); ++k)
-        {
-          parts.push_back(partitions->GetPartitionAsDataObject(k));
-        }
+        block.Pieces = FFBlocks::PiecesOf(data);
       }
-      for (vtkDataObject* part : parts)
+      else if (data)
       {
-        if (part)
-        {
-          block.Pieces.push_back({ part, block.FlatIndex });
-        }
+        block.Pieces.push_back({ data, 0 });
+      }
+      for (auto& piece : block.Pieces)
+      {
+        piece.FlatIndex = block.FlatIndex;
       }
       blocks.push_back(block);
     });
@@ -122,71 +117,42 @@ std::vector<BlockType> blocksOf(vtkDataObject* input, bool joined)
 /// Where all must have as many, other numbers are an error. Collective.
 void findData(bool alike, std::vector<BlockType>& blocks, FFProcesses& processes)
 {
-  std::vector<vtkIdType> own; // of each block its flat index, and whether there is data for it
+  using Found = std::array<vtkIdType, 2>; // a flat index, and whether there is data for it
+  std::vector<Found> own;
   for (const BlockType& block : blocks)
   {
-    own.push_back(block.FlatIndex);
-    own.push_back(!block.Pieces.empty());
+    own.push_back({ block.FlatIndex, !block.Pieces.empty() });
   }
-  const std::vector<std::vector<vtkIdType>> all = processes.Gather(own);
+  const std::vector<std::vector<Found>> all = processes.Gather(own);
   for (std::size_t process = 0; process < all.size(); ++process)
   {
-    const std::vector<vtkIdType>& list = all[process];
+    const std::vector<Found>& list = all[process];
     if (alike && list.size() != all[0].size())
     {
-      processes.GetRun().Failure.Say("Processes have different numbers of blocks: process 0 has " +
-          std::to_string(all[0].size() / 2) + ", process " + std::to_string(process) + " has " +
-          std::to_string(list.size() / 2) +
-          ". Give all the same, without data where there is none, or merge the blocks.",
-        vtkFFErrorCode::ProcessError);
-      throw FFSharedFailure();
+      processes.Fail("Processes have different numbers of blocks: process 0 has " +
+        std::to_string(all[0].size()) + ", process " + std::to_string(process) + " has " +
+        std::to_string(list.size()) +
+        ". Give all the same, without data where there is none, or merge the blocks.");
     }
-    for (std::size_t b = 0; 2 * b < list.size(); ++b)
+    for (std::size_t b = 0; b < list.size(); ++b)
     {
       if (b == blocks.size()) // is not here: the first process that has it gives it its index
       {
         blocks.emplace_back();
-        blocks.back().FlatIndex = static_cast<unsigned int>(list[2 * b]);
+        blocks.back().FlatIndex = static_cast<unsigned int>(list[b][0]);
       }
-      blocks[b].HasData = blocks[b].HasData || list[2 * b + 1] != 0;
+      blocks[b].HasData = blocks[b].HasData || list[b][1] != 0;
     }
   }
 }
 
-/// With all of a machine's threads asked for, each process has those that vtkSMPTools would use:
-/// it may not be alone on the machine.
-void limitThreads(FFRun& run)
+/// Makes the results of each block that some process has data for: they have its field data, and
+/// nothing else yet.
+using Task = std::pair<const BlockType*, FFBlocks::Results>;
+std::vector<Task> makeResults(
+  vtkDataObjectTree* input, const std::vector<BlockType>& blocks, const FFBlocks::Results& outputs)
 {
-  if (run.Options.threads == 0)
-  {
-    run.Options.threads = vtkSMPTools::GetEstimatedNumberOfThreads();
-  }
-}
-
-/// The results of a block: with its field data, and nothing else yet.
-std::vector<vtkSmartPointer<vtkPolyData>> makeResults(const BlockType& block, std::size_t ports)
-{
-  std::vector<vtkSmartPointer<vtkPolyData>> results;
-  for (std::size_t port = 0; port < ports; ++port)
-  {
-    results.push_back(vtkSmartPointer<vtkPolyData>::New());
-    if (!block.Pieces.empty())
-    {
-      FFOutput::PassFieldData(block.Pieces[0].Data, results.back());
-      FFOutput::RemoveReport(results.back()->GetFieldData());
-    }
-  }
-  return results;
-}
-
-/// Work on one block of a composite after another. All results are made before: a process where
-/// that fails stops the others. Collective.
-void runEachBlock(vtkMultiProcessController* controller, vtkDataObjectTree* input,
-  const std::vector<BlockType>& blocks, const FFDistributedInput::Work& work, FFProcesses& all,
-  const FFBlocks::Results& outputs)
-{
-  using Task = std::pair<const BlockType*, std::vector<vtkSmartPointer<vtkPolyData>>>;
-  std::vector<Task> tasks; // of blocks that some process has data for
+  std::vector<Task> tasks;
   for (vtkDataObject* const output : outputs)
   {
     vtkDataObjectTree::SafeDownCast(output)->CopyStructure(input);
@@ -196,27 +162,41 @@ void runEachBlock(vtkMultiProcessController* controller, vtkDataObjectTree* inpu
     [&](vtkDataObject*, vtkDataObjectTreeIterator* nodes)
     {
       const BlockType& own = *block++;
-      if (own.HasData)
+      if (!own.HasData)
       {
-        tasks.emplace_back(&own, makeResults(own, outputs.size()));
-        for (std::size_t port = 0; port < outputs.size(); ++port)
+        return;
+      }
+      tasks.emplace_back(&own, FFBlocks::Results());
+      for (vtkDataObject* const output : outputs)
+      {
+        vtkNew<vtkPolyData> result;
+        if (!own.Pieces.empty())
         {
-          setBlock(
-            vtkDataObjectTree::SafeDownCast(outputs[port]), nodes, tasks.back().second[port]);
+          FFOutput::PassFieldData(own.Pieces[0].Data, result);
+          FFOutput::RemoveReport(result->GetFieldData());
         }
+        setBlock(vtkDataObjectTree::SafeDownCast(output), nodes, result);
+        tasks.back().second.push_back(result);
       }
     });
+  return tasks;
+}
+
+/// Work on one block of a composite after another. All results are made before: a process where
+/// that fails stops the others. Collective.
+void runEachBlock(vtkMultiProcessController* controller, const std::vector<Task>& tasks,
+  const FFDistributedInput::Work& work, FFProcesses& all)
+{
   all.Agree();
   for (std::size_t i = 0; i < tasks.size(); ++i)
   {
     FFRun run(all.GetRun(), i, tasks.size(), false);
-    const FFBlocks::Results results(tasks[i].second.begin(), tasks[i].second.end());
     FFProcesses processes(controller, run);
-    processes.Do([&] { work({ *tasks[i].first }, processes, results); });
+    processes.Do([&] { work({ *tasks[i].first }, processes, tasks[i].second); });
     if (run.Failure)
     {
-      std::for_each(
-        results.begin(), results.end(), [](vtkDataObject* result) { result->Initialize(); });
+      std::for_each(tasks[i].second.begin(), tasks[i].second.end(),
+        [](vtkDataObject* result) { result->Initialize(); });
     }
     if (run.Failure.Kind == FFFailure::Aborted)
     {
@@ -229,6 +209,15 @@ void runEachBlock(vtkMultiProcessController* controller, vtkDataObjectTree* inpu
 }
 
 //------------------------------------------------------------------------------
+void FFDistributedInput::Prepare(
+  vtkAlgorithm* filter, vtkSmartPointer<vtkMultiProcessController>& controller)
+{
+  controller = vtkMultiProcessController::GetGlobalController();
+  // Where a process has no input, the others would wait.
+  filter->GetInputPortInformation(0)->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+}
+
+//------------------------------------------------------------------------------
 int FFDistributedInput::Run(FFRun& run, vtkMultiProcessController* controller, bool joined,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector,
   const std::function<void()>& check, const Work& work)
@@ -236,39 +225,44 @@ int FFDistributedInput::Run(FFRun& run, vtkMultiProcessController* controller, b
   vtkDataObject* const input = vtkDataObject::GetData(inputVector[0]);
   const FFBlocks::Results outputs = FFBlocks::DataOf(outputVector);
   const bool hasResults = vtkDataObjectTree::SafeDownCast(outputs[0]) != nullptr; // of each block
-  limitThreads(run);
+  if (run.Options.threads == 0)
+  {
+    // With all of a machine's threads asked for, each process has those that vtkSMPTools would use:
+    // it may not be alone on the machine.
+    run.Options.threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  }
   FFProcesses processes(controller, run);
+  const auto workOnAll = [&]
+  {
+    check();
+    std::vector<BlockType> blocks = blocksOf(input, joined);
+    findData(!joined, blocks, processes);
+    if (processes.Sum(vtkIdType(hasResults)) != (hasResults ? processes.GetCount() : 0))
+    {
+      processes.Fail("The input is a composite on some processes, and not on others. Give all a "
+                     "composite of the same structure, or none.");
+    }
+    if (hasResults)
+    {
+      auto* const composite = vtkDataObjectTree::SafeDownCast(input);
+      runEachBlock(controller, makeResults(composite, blocks, outputs), work, processes);
+      return;
+    }
+    const auto end = std::remove_if(
+      blocks.begin(), blocks.end(), [](const BlockType& block) { return !block.HasData; });
+    blocks.erase(end, blocks.end());
+    blocks.resize(std::max<std::size_t>(blocks.size(), 1)); // one without points, if there are none
+    work(blocks, processes, outputs);
+  };
   const std::string obstacle = FFProcesses::FindObstacle(controller);
-  if (!obstacle.empty())
+  if (obstacle.empty())
+  {
+    processes.Do(workOnAll);
+  }
+  else
   {
     run.Failure.Say(obstacle, vtkFFErrorCode::ProcessError);
-    return run.Finish(outputs, processes.GetRank() == 0);
   }
-  processes.Do(
-    [&]
-    {
-      check();
-      std::vector<BlockType> blocks = blocksOf(input, joined);
-      findData(!joined, blocks, processes);
-      if (processes.Sum(vtkIdType(hasResults)) != (hasResults ? processes.GetCount() : 0))
-      {
-        run.Failure.Say("The input is a composite on some processes, and not on others. Give all a "
-                        "composite of the same structure, or none.",
-          vtkFFErrorCode::ProcessError);
-        throw FFSharedFailure();
-      }
-      if (hasResults)
-      {
-        runEachBlock(
-          controller, vtkDataObjectTree::SafeDownCast(input), blocks, work, processes, outputs);
-        return;
-      }
-      std::vector<BlockType> some; // one without points, if there are none
-      std::copy_if(blocks.begin(), blocks.end(), std::back_inserter(some),
-        [](const BlockType& block) { return block.HasData; });
-      some.resize(std::max<std::size_t>(some.size(), 1));
-      work(some, processes, outputs);
-    });
   return run.Finish(outputs, processes.GetRank() == 0);
 }
 VTK_ABI_NAMESPACE_END

@@ -15,6 +15,7 @@
 
 #include "FFBlocks.h"
 #include "vtkFFMarks.h"
+#include "vtkSmartPointer.h"
 
 #include <functional>
 #include <vector>
@@ -22,12 +23,18 @@
 VTK_ABI_NAMESPACE_BEGIN
 class FFRun;
 class FFProcesses;
+class vtkAlgorithm;
 class vtkInformationVector;
 class vtkMultiProcessController;
 
 class FFDistributedInput
 {
 public:
+  /**
+   * For a filter's constructor: the global controller becomes its own, and its input is optional.
+   */
+  static void Prepare(vtkAlgorithm* filter, vtkSmartPointer<vtkMultiProcessController>& controller);
+
   /**
    * This process's part of a block. The flat index is 0 if blocks have a result each: then the run
    * names the block.

@@ -48,7 +48,7 @@ void FFDistributedPoints::Count(vtkIdType points)
 {
   this->Begins = { 0 };
   std::int64_t end = 0;
-  for (const std::vector<vtkIdType>& count : this->Processes.Gather({ points }))
+  for (const std::vector<vtkIdType>& count : this->Processes.Gather<vtkIdType>({ points }))
   {
     end += count[0];
     this->Begins.push_back(static_cast<vtkIdType>(end));
@@ -80,20 +80,18 @@ int FFDistributedPoints::GetNumberOfSources() const
 void FFDistributedPoints::SetPoints(vtkPointSet* own)
 {
   this->Own = own;
-  FFProcesses::Messages messages;
+  FFProcesses::Message first;
   if (own->GetNumberOfPoints() > 0)
   {
-    const std::vector<char> first = FFPointMessage::Pack(select(own, { 0 }, 0));
-    for (int process = 0; process < this->Processes.GetCount(); ++process)
-    {
-      messages[process] = first;
-    }
+    first = FFPointMessage::Pack(select(own, { 0 }, 0));
   }
-  this->Processes.Exchange(messages);
   std::vector<vtkSmartPointer<vtkPointSet>> firsts;
-  for (const auto& message : messages)
+  for (const FFProcesses::Message& message : this->Processes.Gather(first))
   {
-    firsts.emplace_back(FFPointMessage::Unpack(message.second));
+    if (!message.empty())
+    {
+      firsts.emplace_back(FFPointMessage::Unpack(message));
+    }
   }
   this->Kind = firsts.empty()
     ? own
@@ -116,15 +114,13 @@ vtkSmartPointer<vtkPointSet> FFDistributedPoints::Fetch(
     }
     begin = end;
   }
-  this->Processes.Exchange(messages);
   const auto own = withData ? this->Own : withoutData(this->Own);
-  for (auto& message : messages)
-  {
-    message.second = FFPointMessage::Pack(
-      select(own, FFProcesses::ValuesOf<vtkIdType>(message.second), this->GetBegin()));
-  }
-  this->Processes.Exchange(messages);
-
+  this->Processes.Query(messages,
+    [&](const FFProcesses::Message& wanted)
+    {
+      return FFPointMessage::Pack(
+        select(own, FFProcesses::ValuesOf<vtkIdType>(wanted), this->GetBegin()));
+    });
   const auto kind = withData ? this->Kind : withoutData(this->Kind);
   if (ids.empty())
   {

@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FFDistributedTriangulation.h"
 
-#include "FFDistributedCells.h"
 #include "FFOutput.h"
-#include "FFPointRedistribution.h"
 #include "FFProcesses.h"
 #include "FFRun.h"
 #include "vtkFFPlanarAlgorithm.h"
 
-#include <flipflop/Engines.h>
 #include <flipflop/PlaneFit.h>
 
 #include "vtkCellData.h"
@@ -23,11 +20,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
-#include <cstring>
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -35,23 +31,11 @@ namespace
 {
 
 /// What is done by when, as shares of the whole.
-constexpr double isRead = 0.1;
-constexpr double isRedistributed = 0.2;
+constexpr double isRead = 0.2;
 constexpr double isTriangulated = 0.8;
 constexpr double isFetched = 0.95;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// A point of a view, in space.
-std::array<double, 3> pointAt(const flipflop::PointView& view, std::int64_t i)
-{
-  std::array<double, 3> point;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    point[k] = FFPlanarInput::NumberAt(view, i * view.stride + static_cast<std::int64_t>(k));
-  }
-  return point;
-}
 
 }
 
@@ -63,11 +47,9 @@ FFDistributedTriangulation::FFDistributedTriangulation(
   , Run(processes.GetRun())
   , Source(processes)
   , Input(filter, processes.GetRun())
-  , Lowest(infinity)
-  , Bounds(4, infinity)
+  , Extent(5, infinity)
+  , Counts(3)
 {
-  std::snprintf(this->Run.EngineReport.reason, sizeof(this->Run.EngineReport.reason), "%s",
-    "several processes triangulate together on their CPUs");
 }
 
 //------------------------------------------------------------------------------
@@ -84,16 +66,21 @@ void FFDistributedTriangulation::Compute(const std::vector<FFInput::PieceType>& 
   this->Read(pieces);
   if (this->Filter->GetProjectionPlaneMode() == vtkFFPlanarAlgorithm::BEST_FITTING_PLANE)
   {
-    this->FitPlane();
+    this->FitPlane(); // all processes have a part of it
   }
-  flipflop::BlockPoints block = this->Redistribute();
-  this->BeginStep(isTriangulated);
+  else
+  {
+    this->Input.Project();
+  }
+  std::vector<FFDistributedCells::Point> points = this->TakePoints();
+  this->Extent = this->Processes.Least(this->Extent);
   // Processes without points have no weights either.
-  this->Weighted = this->Processes.Sum(vtkIdType(this->Weighted)) > 0;
+  this->Weighted = this->Processes.Sum(vtkIdType(this->Input.GetWeights().data != nullptr)) > 0;
+  this->BeginStep(isTriangulated);
   this->Cells = FFDistributedCells::Compute(
     this->Weighted ? flipflop::BlockShape::RegularTriangulation : flipflop::BlockShape::Delaunay,
-    std::move(block), this->Run.Options, this->Processes);
-  this->Hidden = static_cast<std::int64_t>(this->Cells.hiddenIds.size());
+    std::move(points), this->Run.Options, this->Processes);
+  this->Counts[2] = static_cast<vtkIdType>(this->Cells.hiddenIds.size());
   if (!this->Input.GetFittedPlane() && this->Cells.cells.dimension == 1)
   {
     this->LookForVerticalPlane();
@@ -104,11 +91,7 @@ void FFDistributedTriangulation::Compute(const std::vector<FFInput::PieceType>& 
 void FFDistributedTriangulation::Read(const std::vector<FFInput::PieceType>& pieces)
 {
   this->BeginStep(isRead);
-  if (this->Run.Engine.choice == flipflop::EngineChoice::CUDA)
-  {
-    throw FFBadSetting("The CUDA engine was asked for, but several processes triangulate "
-                       "together on their CPUs. Set Engine to Automatic or CPU.");
-  }
+  this->Run.UseCPU("several processes triangulate together on their CPUs");
   auto* const only = pieces.size() == 1 ? vtkDataSet::SafeDownCast(pieces[0].Data) : nullptr;
   if (only)
   {
@@ -119,19 +102,14 @@ void FFDistributedTriangulation::Read(const std::vector<FFInput::PieceType>& pie
   this->Run.Ids.clear(); // ids count the remaining points
   for (const auto& piece : own.GetPieces())
   {
-    this->Own += piece->GetNumberOfPoints();
+    this->Counts[0] += piece->GetNumberOfPoints();
   }
-  this->Source.Count(this->Own);
+  this->Source.Count(this->Counts[0]);
   this->Run.FirstId = this->Source.GetBegin();
   const auto points = FFOutput::Append({ own.GetPieces().begin(), own.GetPieces().end() });
   this->Input.SetPoints(points);
   this->Source.SetPoints(points);
   this->Input.SetWeights(this->FindOwnWeights());
-  // Of a plane that fits, all processes have a part.
-  if (this->Filter->GetProjectionPlaneMode() != vtkFFPlanarAlgorithm::BEST_FITTING_PLANE)
-  {
-    this->Input.Project();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -151,104 +129,81 @@ vtkDataArray* FFDistributedTriangulation::FindOwnWeights()
 //------------------------------------------------------------------------------
 void FFDistributedTriangulation::FitPlane()
 {
-  // Rounded sums depend on the order, so the processes sum one after another.
   const flipflop::Options& options = this->Run.Options;
   const flipflop::PointView& view = this->Input.GetSpace();
+  std::vector<flipflop::PlaneSums> own(1);
   flipflop::PlaneSums sums;
-  flipflop::PlaneSums own;
-  std::vector<double> passed(sizeof(sums) / sizeof(double));
-  const auto read = [&] { std::memcpy(static_cast<void*>(&sums), passed.data(), sizeof(sums)); };
-  const auto passOn = [&](const std::function<void()>& add)
+  flipflop::addExtent(own[0], view, options);
+  for (const auto& part : this->Processes.Gather(own))
   {
-    this->Processes.PassOn(passed,
-      [&]
-      {
-        read();
-        add();
-        std::memcpy(passed.data(), &sums, sizeof(sums));
-      });
-    read();
-  };
-  flipflop::addExtent(own, view, options);
-  passOn([&] { flipflop::joinExtent(sums, own); });
-  passOn([&] { flipflop::addToSum(sums, view, options); });
-  passOn([&] { flipflop::addToSpread(sums, view, options); });
+    flipflop::joinExtent(sums, part[0]);
+  }
+  // Rounded sums depend on the order, so the processes sum one after another.
+  this->Processes.PassOn(sums, [&] { flipflop::addToSum(sums, view, options); });
+  this->Processes.PassOn(sums, [&] { flipflop::addToSpread(sums, view, options); });
   this->Input.SetPlane(flipflop::planeOf(sums));
 }
 
 //------------------------------------------------------------------------------
-flipflop::BlockPoints FFDistributedTriangulation::Redistribute()
+std::vector<FFDistributedCells::Point> FFDistributedTriangulation::TakePoints()
 {
-  using Point = FFPointRedistribution::Point;
-  this->BeginStep(isRedistributed);
-  this->Weighted = this->Input.GetWeights().data != nullptr;
-  const flipflop::PointView& space = this->Input.GetSpace();
-  std::vector<Point> points;
-  points.reserve(static_cast<std::size_t>(space.count));
-  this->NonFinite = this->Input.VisitPoints(
+  vtkPointSet* const own = this->Input.GetPoints();
+  std::vector<FFDistributedCells::Point> points;
+  points.reserve(static_cast<std::size_t>(own->GetNumberOfPoints()));
+  this->Counts[1] = static_cast<vtkIdType>(this->Input.VisitPoints(
     [&](std::int64_t i, double x, double y, double weight)
     {
       points.push_back({ { x, y, weight }, this->Source.GetBegin() + i });
-      const double bounds[4] = { x, -x, y, -y };
-      for (std::size_t k = 0; k < 4; ++k)
-      {
-        this->Bounds[k] = std::min(this->Bounds[k], bounds[k]);
-      }
-      this->Lowest = std::min(this->Lowest, pointAt(space, i)[2]);
-    });
-  return FFPointRedistribution::Run(
-    std::move(points),
-    [](const Point& point) {
-      return FFPointRedistribution::Key{ point.Position[0], point.Position[1] };
-    },
-    this->Processes);
+      const double extent[5] = { x, -x, y, -y, own->GetPoint(static_cast<vtkIdType>(i))[2] };
+      std::transform(extent, extent + 5, this->Extent.begin(), this->Extent.begin(),
+        [](double a, double b) { return std::min(b, a); });
+    }));
+  return points;
 }
 
 //------------------------------------------------------------------------------
 void FFDistributedTriangulation::LookForVerticalPlane()
 {
-  // The hull of the hulls is the hull. Process 0 has it.
-  using Points = std::vector<std::array<double, 3>>;
-  Points points;
-  this->Input.VisitPoints([&](std::int64_t i, double, double, double)
-    { points.push_back(pointAt(this->Input.GetSpace(), i)); });
-  FFProcesses::Messages messages;
+  // The hull of the hulls is the hull.
+  std::vector<std::array<double, 3>> points;
+  this->Input.VisitPoints(
+    [&](std::int64_t i, double, double, double) {
+      this->Input.GetPoints()->GetPoint(static_cast<vtkIdType>(i), points.emplace_back().data());
+    });
+  std::vector<std::array<double, 3>> corners;
   for (const std::int64_t corner : FFPlanarInput::HullInSpace(points, this->Run.Options).pointIds)
   {
-    FFProcesses::Append(&points[static_cast<std::size_t>(corner)], 1, messages[0]);
+    corners.push_back(points[static_cast<std::size_t>(corner)]);
   }
-  this->Processes.Exchange(messages);
   points.clear();
-  for (const auto& message : messages)
+  for (const auto& part : this->Processes.Gather(corners))
   {
-    const auto corners = FFProcesses::ValuesOf<Points::value_type>(message.second);
-    points.insert(points.end(), corners.begin(), corners.end());
+    points.insert(points.end(), part.begin(), part.end());
   }
-  if (FFPlanarInput::HullInSpace(points, this->Run.Options).dimension > 1)
+  if (this->Processes.GetRank() == 0 &&
+    FFPlanarInput::HullInSpace(points, this->Run.Options).dimension > 1)
   {
     this->Input.WarnOfVerticalPlane();
   }
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 4> FFDistributedTriangulation::FindBounds()
+std::array<double, 4> FFDistributedTriangulation::GetBounds() const
 {
-  const std::vector<double> all = this->Processes.Least(this->Bounds);
-  return { all[0], all[2], -all[1], -all[3] };
+  return { this->Extent[0], this->Extent[2], -this->Extent[1], -this->Extent[3] };
 }
 
 //------------------------------------------------------------------------------
-void FFDistributedTriangulation::DropCells(const std::function<std::int64_t(
-    const flipflop::PointView&, const flipflop::WeightView&, flipflop::CellComplex&)>& drop)
+void FFDistributedTriangulation::WorkOnCells(const std::function<void(
+    const flipflop::PointView&, const flipflop::WeightView&, flipflop::CellComplex&)>& work)
 {
-  // The positions are of the cells' points alone.
   flipflop::CellComplex& cells = this->Cells.cells;
   flipflop::Buffer<std::int64_t> ids(cells.pointIds.size());
   std::iota(ids.begin(), ids.end(), std::int64_t(0));
   std::swap(ids, cells.pointIds);
   const double* const positions = this->Cells.positions.data();
   const auto count = static_cast<std::int64_t>(ids.size());
-  this->Dropped = drop({ positions, count },
+  work({ positions, count },
     this->Weighted ? flipflop::WeightView(positions + 2, count, 3) : flipflop::WeightView(), cells);
   std::swap(ids, cells.pointIds);
 }
@@ -256,12 +211,8 @@ void FFDistributedTriangulation::DropCells(const std::function<std::int64_t(
 //------------------------------------------------------------------------------
 void FFDistributedTriangulation::AddGhostCells()
 {
-  flipflop::BlockResult all = FFDistributedCells::AddGhosts(
-    this->Run.Options.facets, this->Cells, this->Processes, this->Ghosts);
-  all.hiddenIds = std::move(this->Cells.hiddenIds);
-  all.cells.statistics = this->Cells.cells.statistics;
-  this->Cells = std::move(all);
-  this->HasGhosts = true;
+  this->Ghosts =
+    FFDistributedCells::AddGhosts(this->Run.Options.facets, this->Cells, this->Processes);
 }
 
 //------------------------------------------------------------------------------
@@ -271,10 +222,13 @@ void FFDistributedTriangulation::Fetch(const std::vector<vtkIdType>& ids)
   this->Input.SetPoints(this->Source.Fetch(ids, this->Filter->GetPassPointData()));
   this->Run.Ids = ids;
   this->Run.FirstId = 0;
+  // A sum with 0 is never -0: see flipflop::heightBelow().
+  this->Input.SetHeight(std::isinf(this->Extent[4]) ? 0.0 : this->Extent[4] + 0.0);
+  this->BeginStep(1.0);
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPointSet> FFDistributedTriangulation::Gather()
+vtkSmartPointer<vtkPointSet> FFDistributedTriangulation::Gather(const std::string& why)
 {
   std::vector<vtkIdType> ids;
   if (this->Processes.GetRank() == 0)
@@ -282,21 +236,28 @@ vtkSmartPointer<vtkPointSet> FFDistributedTriangulation::Gather()
     ids.resize(static_cast<std::size_t>(this->Source.GetNumberOfPoints()));
     std::iota(ids.begin(), ids.end(), vtkIdType(0));
   }
-  return this->Source.Fetch(ids, true);
+  vtkSmartPointer<vtkPointSet> all = this->Source.Fetch(ids, true);
+  this->Processes.Agree();
+  const int sources = this->Source.GetNumberOfSources();
+  if (this->Processes.GetRank() == 0 && sources > 1)
+  {
+    this->Run.Warnings.push_back("The points of " + std::to_string(sources) +
+      " processes are gathered on one, which triangulates them alone: " + why);
+  }
+  this->Run.Parts.clear(); // they have their ids
+  this->Run.Ids.clear();
+  this->Run.FirstId = 0;
+  return all;
 }
 
 //------------------------------------------------------------------------------
-flipflop::Triangulation FFDistributedTriangulation::FetchCells(bool withHidden)
+flipflop::Triangulation FFDistributedTriangulation::FetchCells()
 {
-  this->Duplicates = FFDistributedCells::FindDuplicates(
-    this->Cells.cells.pointIds, this->Cells.blocks, this->Processes);
+  this->Duplicates = FFDistributedCells::FindDuplicates(this->Cells, this->Processes);
   flipflop::Triangulation triangulation;
   flipflop::CellComplex& cells = triangulation;
   cells = std::move(this->Cells.cells);
-  if (withHidden)
-  {
-    triangulation.hiddenIds = std::move(this->Cells.hiddenIds);
-  }
+  triangulation.hiddenIds = std::move(this->Cells.hiddenIds);
   std::vector<vtkIdType> ids;
   std::set_union(cells.pointIds.begin(), cells.pointIds.end(), triangulation.hiddenIds.begin(),
     triangulation.hiddenIds.end(), std::back_inserter(ids));
@@ -319,20 +280,20 @@ flipflop::Triangulation FFDistributedTriangulation::FetchCells(bool withHidden)
 }
 
 //------------------------------------------------------------------------------
-FFDistributedTriangulation::CountsType FFDistributedTriangulation::Report(
-  flipflop::CellComplex& cells)
+void FFDistributedTriangulation::Report(
+  flipflop::CellComplex& cells, std::optional<std::int64_t> dropped, vtkPolyData* output)
 {
-  const double lowest = this->Processes.Least(std::vector<double>{ this->Lowest })[0];
-  // A sum with 0 is never -0: see flipflop::heightBelow().
-  this->Input.SetHeight(std::isinf(lowest) ? 0.0 : lowest + 0.0);
-  const std::vector<vtkIdType> own{ this->Own, this->NonFinite,
-    static_cast<vtkIdType>(this->Hidden), static_cast<vtkIdType>(this->Dropped) };
-  const std::vector<vtkIdType> all = this->Processes.Sum(own);
-  const std::vector<vtkIdType>& counts = this->Processes.GetRank() == 0 ? all : own;
+  std::vector<vtkIdType> counts = this->Counts;
+  counts.push_back(static_cast<vtkIdType>(dropped.value_or(0)));
+  const std::vector<vtkIdType> all = this->Processes.Sum(counts);
+  counts = this->Processes.GetRank() == 0 ? all : counts;
   cells.statistics.points = counts[0];
   cells.statistics.nonFinite = counts[1];
-  this->BeginStep(1.0);
-  return { counts[2], counts[3] };
+  if (dropped)
+  {
+    dropped = counts[3];
+  }
+  this->Input.Report(cells, counts[2], dropped, output);
 }
 
 //------------------------------------------------------------------------------
@@ -340,10 +301,10 @@ void FFDistributedTriangulation::MarkDuplicates(vtkPolyData* output) const
 {
   FFDistributedCells::Mark(
     output->GetPointData(), this->Duplicates, vtkDataSetAttributes::DUPLICATEPOINT);
-  if (this->HasGhosts)
+  if (this->Ghosts)
   {
     FFDistributedCells::Mark(
-      output->GetCellData(), this->Ghosts, vtkDataSetAttributes::DUPLICATECELL);
+      output->GetCellData(), *this->Ghosts, vtkDataSetAttributes::DUPLICATECELL);
   }
 }
 VTK_ABI_NAMESPACE_END

@@ -12,6 +12,7 @@
 #ifndef FFDistributedTriangulation_h
 #define FFDistributedTriangulation_h
 
+#include "FFDistributedCells.h"
 #include "FFDistributedPoints.h"
 #include "FFInput.h"
 #include "FFPlanarInput.h"
@@ -23,6 +24,8 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -45,24 +48,19 @@ public:
 
   ///@{
   /**
-   * This process's cells, by ids over all processes, and its hidden points; whether points have
-   * weights. Not collective.
+   * This process's cells, by ids over all processes; the box of all processes' triangulated points,
+   * as two opposite corners. Not collective.
    */
   flipflop::BlockResult& GetCells() { return this->Cells; }
-  bool IsWeighted() const { return this->Weighted; }
+  std::array<double, 4> GetBounds() const;
   ///@}
 
   /**
-   * The box of all processes' triangulated points: two opposite corners.
+   * Have an engine's function work on the cells in the plane, whose ids count their own points
+   * meanwhile. Not collective.
    */
-  std::array<double, 4> FindBounds();
-
-  /**
-   * Leave out some of the cells of these points in the plane, with these weights; @p drop returns
-   * how many. Not collective.
-   */
-  void DropCells(const std::function<std::int64_t(
-      const flipflop::PointView&, const flipflop::WeightView&, flipflop::CellComplex&)>& drop);
+  void WorkOnCells(const std::function<void(
+      const flipflop::PointView&, const flipflop::WeightView&, flipflop::CellComplex&)>& work);
 
   /**
    * Add the cells of other processes that touch points of this one's region.
@@ -71,23 +69,21 @@ public:
 
   ///@{
   /**
-   * Fetch the points of the cells, and the hidden points if there is use for these, or the points
-   * of some ids, which ascend: they become the input, and the run's. The triangulation is returned
-   * with its points' places in the input.
+   * Fetch the points of the cells and the hidden points, or the points of some ids, which ascend:
+   * they become the input, and the run's. The triangulation is returned with its points' places in
+   * the input.
    */
-  flipflop::Triangulation FetchCells(bool withHidden);
+  flipflop::Triangulation FetchCells();
   void Fetch(const std::vector<vtkIdType>& ids);
   ///@}
 
   /**
-   * All points and their data, on process 0; on the other processes, of no use.
+   * All points and their data, on process 0, which goes on alone: they become the run's. On the
+   * other processes, of no use.
+   *
+   * @param why process 0 takes them all, for a warning
    */
-  vtkSmartPointer<vtkPointSet> Gather();
-
-  /**
-   * How many processes have points. Not collective.
-   */
-  int GetNumberOfSources() const { return this->Source.GetNumberOfSources(); }
+  vtkSmartPointer<vtkPointSet> Gather(const std::string& why);
 
   /**
    * The points that were fetched. Not collective.
@@ -95,15 +91,13 @@ public:
   FFPlanarInput& GetInput() { return this->Input; }
 
   /**
-   * What is reported: on process 0 of all processes, elsewhere of this process. Also sets the
-   * height of the plane, and the numbers of points in the statistics of @p cells.
+   * Report the cells, once all processes have written them: on process 0 the numbers of all
+   * processes, elsewhere of this process.
+   *
+   * @param dropped how many cells were left out; none: that is not reported
    */
-  struct CountsType
-  {
-    std::int64_t Hidden;
-    std::int64_t Dropped;
-  };
-  CountsType Report(flipflop::CellComplex& cells);
+  void Report(
+    flipflop::CellComplex& cells, std::optional<std::int64_t> dropped, vtkPolyData* output);
 
   /**
    * Mark the points that other processes count, and ghost cells, if there are any. Not collective.
@@ -114,7 +108,7 @@ private:
   void Read(const std::vector<FFInput::PieceType>& pieces);
   vtkDataArray* FindOwnWeights();
   void FitPlane();
-  flipflop::BlockPoints Redistribute();
+  std::vector<FFDistributedCells::Point> TakePoints();
   void LookForVerticalPlane();
   void BeginStep(double end);
 
@@ -125,17 +119,12 @@ private:
   FFPlanarInput Input;
   double Begin = 0.0; // of the next step, as a share of all work
 
-  vtkIdType Own = 0; // this process's points
-  vtkIdType NonFinite = 0;
-  double Lowest;              // z of this process's points that are triangulated
-  std::vector<double> Bounds; // of these points: least x, - greatest x, the same for y
+  std::vector<double> Extent; // of triangulated points, the least: x, -x, y, -y, z
   bool Weighted = false;
   flipflop::BlockResult Cells;
-  bool HasGhosts = false;
-  std::vector<bool> Ghosts;     // whether each cell is another process's
+  std::vector<vtkIdType> Counts;           // of this process's points: all, not finite, hidden
+  std::optional<std::vector<bool>> Ghosts; // whether each cell is another process's
   std::vector<bool> Duplicates; // whether another process counts each of the cells' points
-  std::int64_t Hidden = 0;
-  std::int64_t Dropped = 0;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -13,13 +13,14 @@
 #include "vtkDIYUtilities.h"
 #endif
 
-#include <exception>
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <numeric>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-
-constexpr int tagOfValues = 7701;
 
 #if FLIPFLOP_USE_DIY
 void exchangeByDIY(vtkMultiProcessController* controller, FFProcesses::Messages& messages)
@@ -91,7 +92,7 @@ FFProcesses::FFProcesses(vtkMultiProcessController* controller, FFRun& run)
 }
 
 //------------------------------------------------------------------------------
-bool FFProcesses::Do(const std::function<void()>& work)
+void FFProcesses::Do(const std::function<void()>& work)
 {
   bool isShared = false;
   this->Run.Do(
@@ -106,7 +107,10 @@ bool FFProcesses::Do(const std::function<void()>& work)
         isShared = true;
       }
     });
-  return !isShared && this->Share();
+  if (!isShared)
+  {
+    this->Share();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -119,42 +123,43 @@ void FFProcesses::Agree()
 }
 
 //------------------------------------------------------------------------------
+void FFProcesses::Fail(const std::string& message)
+{
+  this->Run.Failure.Say(message, vtkFFErrorCode::ProcessError);
+  throw FFSharedFailure();
+}
+
+//------------------------------------------------------------------------------
 bool FFProcesses::Share()
 {
   FFFailure& failure = this->Run.Failure;
   this->Run.NoteAbort();
-  constexpr std::size_t size = 5;
-  const vtkIdType own[size] = { failure.Kind, failure.Point, failure.Count,
+  using Values = std::array<vtkIdType, 5>;
+  const Values own{ failure.Kind, failure.Point, failure.Count,
     static_cast<vtkIdType>(failure.Code), static_cast<vtkIdType>(failure.Message.size()) };
-  std::vector<vtkIdType> all(size * static_cast<std::size_t>(this->Count));
-  this->Controller->AllGather(own, all.data(), size);
+  std::vector<Values> all(static_cast<std::size_t>(this->Count));
+  this->Controller->AllGather(own.data(), all[0].data(), static_cast<vtkIdType>(own.size()));
   FFFailure together;
-  int reporter = 0; // the process whose message it is
-  vtkIdType length = 0;
-  for (int process = 0; process < this->Count; ++process)
+  for (const Values& values : all)
   {
-    const vtkIdType* const values = all.data() + size * static_cast<std::size_t>(process);
-    const FFFailure::KindType before = together.Kind;
     together.Add({ static_cast<FFFailure::KindType>(values[0]), values[1], values[2],
       static_cast<unsigned long>(values[3]), {} });
-    if (together.Kind != before)
-    {
-      reporter = process;
-      length = values[4];
-    }
   }
   if (together.Kind == FFFailure::Other)
   {
+    const auto reporter = std::find_if(
+      all.begin(), all.end(), [](const Values& values) { return values[0] == FFFailure::Other; });
     together.Message = failure.Message;
-    together.Message.resize(static_cast<std::size_t>(length));
-    this->Controller->Broadcast(&together.Message[0], length, reporter);
+    together.Message.resize(static_cast<std::size_t>((*reporter)[4]));
+    this->Broadcast(
+      &together.Message[0], together.Message.size(), static_cast<int>(reporter - all.begin()));
   }
   failure = together;
   return !failure;
 }
 
 //------------------------------------------------------------------------------
-void FFProcesses::Exchange(Messages& messages)
+vtkIdType FFProcesses::Exchange(Messages& messages)
 {
   FFRun::Look(this->Run.Options);
   std::vector<vtkIdType> sizes(static_cast<std::size_t>(this->Count));
@@ -164,38 +169,47 @@ void FFProcesses::Exchange(Messages& messages)
   }
   sizes.push_back(static_cast<vtkIdType>(messages.size()));
   sizes = this->Sum(sizes);
-  this->NumberOfMessages = sizes.back();
-  if (this->NumberOfMessages == 0)
+  if (sizes.back() > 0)
   {
-    return;
+    // Where DIY lacks memory, the other processes would wait. So each tries it first.
+    flipflop::Buffer<char>(static_cast<std::size_t>(sizes[static_cast<std::size_t>(this->Rank)]));
+    this->Agree();
+    exchangeByDIY(this->Controller, messages);
   }
-  // Where DIY lacks memory, the other processes would wait. So each tries it first.
-  flipflop::Buffer<char>(static_cast<std::size_t>(sizes[static_cast<std::size_t>(this->Rank)]));
-  this->Agree();
-  exchangeByDIY(this->Controller, messages);
+  return sizes.back();
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::vector<vtkIdType>> FFProcesses::Gather(const std::vector<vtkIdType>& values)
+vtkIdType FFProcesses::Query(
+  Messages& messages, const std::function<Message(const Message&)>& reply)
+{
+  const vtkIdType count = this->Exchange(messages);
+  for (auto& message : messages)
+  {
+    message.second = reply(message.second);
+  }
+  this->Exchange(messages);
+  return count;
+}
+
+//------------------------------------------------------------------------------
+std::vector<FFProcesses::Message> FFProcesses::GatherMessages(const Message& own)
 {
   this->Agree();
-  const auto count = static_cast<std::size_t>(this->Count);
-  const auto size = static_cast<vtkIdType>(values.size());
-  std::vector<vtkIdType> sizes(count);
+  const auto size = static_cast<vtkIdType>(own.size());
+  std::vector<vtkIdType> sizes(static_cast<std::size_t>(this->Count));
   this->Controller->AllGather(&size, sizes.data(), 1);
   std::vector<vtkIdType> begins{ 0 };
-  for (const vtkIdType other : sizes)
+  std::partial_sum(sizes.begin(), sizes.end(), std::back_inserter(begins));
+  Message all(static_cast<std::size_t>(begins.back()));
+  this->Agree(); // all have the memory
+  this->Controller->AllGatherV(own.data(), all.data(), size, sizes.data(), begins.data());
+  std::vector<Message> messages;
+  for (std::size_t process = 0; process < sizes.size(); ++process)
   {
-    begins.push_back(begins.back() + other);
+    messages.emplace_back(all.begin() + begins[process], all.begin() + begins[process + 1]);
   }
-  std::vector<vtkIdType> all(static_cast<std::size_t>(begins.back()));
-  this->Controller->AllGatherV(values.data(), all.data(), size, sizes.data(), begins.data());
-  std::vector<std::vector<vtkIdType>> lists;
-  for (std::size_t process = 0; process < count; ++process)
-  {
-    lists.emplace_back(all.begin() + begins[process], all.begin() + begins[process + 1]);
-  }
-  return lists;
+  return messages;
 }
 
 //------------------------------------------------------------------------------
@@ -206,13 +220,6 @@ std::vector<vtkIdType> FFProcesses::Sum(std::vector<vtkIdType> values)
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkIdType> FFProcesses::Least(std::vector<vtkIdType> values)
-{
-  this->Agree();
-  return reduce(this->Controller, values, vtkCommunicator::MIN_OP);
-}
-
-//------------------------------------------------------------------------------
 std::vector<double> FFProcesses::Least(std::vector<double> values)
 {
   this->Agree();
@@ -220,31 +227,8 @@ std::vector<double> FFProcesses::Least(std::vector<double> values)
 }
 
 //------------------------------------------------------------------------------
-void FFProcesses::PassOn(std::vector<double>& values, const std::function<void()>& change)
+void FFProcesses::Broadcast(void* data, std::size_t size, int process)
 {
-  this->Agree();
-  const auto size = static_cast<vtkIdType>(values.size());
-  if (this->Rank > 0)
-  {
-    this->Controller->Receive(values.data(), size, this->Rank - 1, tagOfValues);
-  }
-  std::exception_ptr error; // is thrown when nobody waits any more
-  try
-  {
-    change();
-  }
-  catch (...)
-  {
-    error = std::current_exception();
-  }
-  if (this->Rank + 1 < this->Count)
-  {
-    this->Controller->Send(values.data(), size, this->Rank + 1, tagOfValues);
-  }
-  this->Controller->Broadcast(values.data(), size, this->Count - 1);
-  if (error)
-  {
-    std::rethrow_exception(error);
-  }
+  this->Controller->Broadcast(static_cast<char*>(data), static_cast<vtkIdType>(size), process);
 }
 VTK_ABI_NAMESPACE_END

@@ -39,23 +39,24 @@ class FFProcesses
 {
 public:
   /**
-   * Messages to or from processes, this one too, by their ranks.
+   * A message, and messages to or from processes, this one too, by their ranks.
    */
-  using Messages = std::map<int, std::vector<char>>;
+  using Message = std::vector<char>;
+  using Messages = std::map<int, Message>;
 
   ///@{
   /**
    * Append plain values to a message; get all values of a message.
    */
   template <class T>
-  static void Append(const T* values, std::size_t count, std::vector<char>& message)
+  static void Append(const T* values, std::size_t count, Message& message)
   {
     static_assert(std::is_trivially_copyable<T>::value, "only plain values can be sent");
     const char* bytes = reinterpret_cast<const char*>(values);
     message.insert(message.end(), bytes, bytes + count * sizeof(T));
   }
   template <class T>
-  static std::vector<T> ValuesOf(const std::vector<char>& message)
+  static std::vector<T> ValuesOf(const Message& message)
   {
     static_assert(std::is_trivially_copyable<T>::value, "only plain values can be sent");
     std::vector<T> values(message.size() / sizeof(T));
@@ -91,10 +92,9 @@ public:
   ///@}
 
   /**
-   * Run work with collective steps. What it throws on any process is the failure of all. Returns
-   * whether there is none. May be nested.
+   * Run work with collective steps. What it throws on any process is the failure of all.
    */
-  bool Do(const std::function<void()>& work);
+  void Do(const std::function<void()>& work);
 
   /**
    * Share the failures, and requests to abort, of all processes.
@@ -104,19 +104,38 @@ public:
   void Agree();
 
   /**
-   * Send all messages; they become those that other processes sent to this one.
+   * Fail for a reason that all processes see. Not collective.
+   *
+   * @throw FFSharedFailure
    */
-  void Exchange(Messages& messages);
+  void Fail(const std::string& message);
 
   /**
-   * How many messages all processes sent in the last exchange. Not collective.
+   * Send all messages; they become those that other processes sent to this one. Returns how many
+   * all processes sent.
    */
-  vtkIdType GetNumberOfMessages() const { return this->NumberOfMessages; }
+  vtkIdType Exchange(Messages& messages);
+
+  /**
+   * The same, and each is answered at once: they become the replies of those that received them.
+   */
+  vtkIdType Query(Messages& messages, const std::function<Message(const Message&)>& reply);
 
   /**
    * The values of each process, which may differ in number.
    */
-  std::vector<std::vector<vtkIdType>> Gather(const std::vector<vtkIdType>& values);
+  template <class T>
+  std::vector<std::vector<T>> Gather(const std::vector<T>& values)
+  {
+    Message own;
+    Append(values.data(), values.size(), own);
+    std::vector<std::vector<T>> lists;
+    for (const Message& message : this->GatherMessages(own))
+    {
+      lists.push_back(ValuesOf<T>(message));
+    }
+    return lists;
+  }
 
   ///@{
   /**
@@ -124,24 +143,37 @@ public:
    */
   std::vector<vtkIdType> Sum(std::vector<vtkIdType> values);
   vtkIdType Sum(vtkIdType value) { return this->Sum(std::vector<vtkIdType>{ value })[0]; }
-  std::vector<vtkIdType> Least(std::vector<vtkIdType> values);
   std::vector<double> Least(std::vector<double> values);
   ///@}
 
   /**
-   * One process after another changes values that the one before it leaves. All get those of the
-   * last one.
+   * One process after another changes a plain value that the one before it leaves. All get that of
+   * the last one.
    */
-  void PassOn(std::vector<double>& values, const std::function<void()>& change);
+  template <class T>
+  void PassOn(T& value, const std::function<void()>& change)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "only plain values can be sent");
+    for (int process = 0; process < this->Count; ++process)
+    {
+      if (process == this->Rank)
+      {
+        change();
+      }
+      this->Agree();
+      this->Broadcast(&value, sizeof(T), process);
+    }
+  }
 
 private:
   bool Share();
+  std::vector<Message> GatherMessages(const Message& own);
+  void Broadcast(void* data, std::size_t size, int process);
 
   vtkMultiProcessController* const Controller;
   FFRun& Run;
   const int Count;
   const int Rank;
-  vtkIdType NumberOfMessages = 0;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -4,45 +4,25 @@
  * @class   vtkPFFHullFilter
  * @brief   the exact convex hull of points that are distributed over processes
  *
- * vtkPFFHullFilter is vtkFFHullFilter for data in pieces, one on each process of a
- * vtkMultiProcessController. It gives one hull of all pieces. That hull is the one
- * that vtkFFHullFilter gives for the pieces of process 0, 1, 2... appended in this order, bit for
- * bit: points, cells, point data and original ids, which count the points of all pieces.
+ * Each process of a vtkMultiProcessController has a piece of the points. Their one hull is, bit for
+ * bit, what vtkFFHullFilter gives for the pieces of process 0, 1, 2... appended in this order. See
+ * vtkPFFRegularTriangulationFilter for what is true of all filters of this module.
  *
- * Each process computes the hull of its piece. What follows depends on how many points these hulls
- * have together (see SetResultMode()):
- *
- * - A small hull is gathered on process 0, and the outputs of the others
- *   have no points. Hulls are joined in pairs: a join computes the hull
- *   of their vertices. The joins form a binary tree over the processes,
- *   and each level of the tree is one step.
- * - Of a large hull, such as that of a thin shell, each process keeps a
- *   share, that is the facets in some directions from the middle with
- *   their points. Together, the shares are the hull. No process holds
- *   more than its share and what surrounds it. A point may be on several
- *   processes: all but one mark it in vtkGhostType as
- *   vtkDataSetAttributes::DUPLICATEPOINT. Each facet is on one process.
- *   A flat hull is one facet, and so on one process.
- *
- * vtkPFFRegularTriangulationFilter says what is true of all filters of this module. Of hulls:
+ * Each process computes the hull of its piece. A small hull of these is then computed on process 0,
+ * and the other outputs have no points, nor figures. Of a large one, such as that of a thin shell,
+ * each process keeps a share (see SetResultMode()): the facets of a region of space, with their
+ * points. Each facet is on one process; of several that have a point, all but one mark it in
+ * vtkGhostType as vtkDataSetAttributes::DUPLICATEPOINT. A flat hull is one facet.
  *
  * - For HULL_OF_ALL_BLOCKS, processes may have different numbers of
  *   blocks; ids count from block to block, and within a block from
  *   process to process. The BlockIndex of a vtkPartitionedDataSet is
  *   that of its first partition.
- * - Process 0 reports dimension, volume, area and the numbers of input
- *   points and of points that are not finite for all pieces. All other
- *   statistics are of its own share of the work. The other processes
- *   report nothing, or, if they have a share, the same of all.
  * - With NumberOfStreamDivisions, each process streams the piece that
  *   it is asked for: with D divisions, process r of P reads the pieces
- *   r D to r D + D - 1 of P D, and keeps their extreme points. The hulls
- *   are joined when all are read. Ids count the points of all pieces in
- *   this order, also of pieces that are composites.
- * - The processes wait for each other after each piece: an error or an
- *   abort on one ends all. The error names process and piece; its ids
- *   count the points that this process has read, since nobody knows
- *   then how many the others have.
+ *   r D to r D + D - 1 of P D. Ids count the points of all in this
+ *   order. The processes wait for each other after each piece. An error
+ *   names process and piece; its ids count what this process has read.
  *
  * @sa
  * vtkFFHullFilter vtkPFFRegularTriangulationFilter vtkMultiProcessController
@@ -54,10 +34,10 @@
 #include "vtkFFHullFilter.h"
 #include "vtkFFMarks.h"                       // For VTK_MARSHALAUTO
 #include "vtkFiltersParallelFlipFlopModule.h" // For export macro
+#include "vtkMultiProcessController.h"        // For vtkMultiProcessController
+#include "vtkSmartPointer.h"                  // For vtkSmartPointer
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkMultiProcessController;
-
 class VTKFILTERSPARALLELFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkPFFHullFilter : public vtkFFHullFilter
 {
 public:
@@ -76,9 +56,9 @@ public:
    * default the global controller.
    */
   VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
-  virtual void SetController(vtkMultiProcessController* controller);
+  vtkSetSmartPointerMacro(Controller, vtkMultiProcessController);
   VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
-  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  vtkGetSmartPointerMacro(Controller, vtkMultiProcessController);
   ///@}
 
   /**
@@ -117,11 +97,10 @@ protected:
   vtkPFFHullFilter();
   ~vtkPFFHullFilter() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  vtkMultiProcessController* Controller = nullptr;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   int ResultMode = RESULT_AUTOMATIC;
   vtkIdType GatheredPointsLimit = 1000000;
 

@@ -4,24 +4,21 @@
  * @class   vtkPFFPowerDiagramFilter
  * @brief   the exact Voronoi or power diagram of points that are distributed over processes
  *
- * vtkPFFPowerDiagramFilter is vtkFFPowerDiagramFilter for data in pieces, one on each process of a
- * vtkMultiProcessController. It gives one power diagram of all pieces, of which each process has
- * the cells of the points in its region of the plane. Together, they are the diagram that
- * vtkFFPowerDiagramFilter gives for the pieces of process 0, 1, 2... appended in this order, bit
- * for bit. vtkPFFRegularTriangulationFilter says how the processes work together, and what they
- * report.
+ * Each process of a vtkMultiProcessController has a piece of the points, and gets the power cells
+ * of those in its region of the plane. Together, these are, bit for bit, the diagram that
+ * vtkFFPowerDiagramFilter gives for the pieces of process 0, 1, 2... appended in this order. See
+ * vtkPFFRegularTriangulationFilter for what is true of all filters of this module.
  *
  * Each cell is on one process. Neighbours on different processes have equal corners; all processes
  * but one mark such a corner in vtkGhostType as vtkDataSetAttributes::DUPLICATEPOINT.
  *
  * @warning
- * Where rounding broke a cell, which happens rarely, process 0 gathers all points and does all the
- * work, so that its memory must hold them all. If several processes have points, a warning says so.
- * On the other processes, the output has no points then, they report no figures, and only process 0
- * can abort.
+ * Where rounding broke a cell, which is rare, process 0 gathers all points and does all the work,
+ * so that its memory must hold them all; a warning says so if several processes have points. The
+ * other outputs have no points then, nor figures, and only process 0 can abort.
  *
  * @sa
- * vtkFFPowerDiagramFilter vtkPFFRegularTriangulationFilter vtkPFFDelaunayFilter
+ * vtkFFPowerDiagramFilter vtkPFFRegularTriangulationFilter
  */
 
 #ifndef vtkPFFPowerDiagramFilter_h
@@ -30,9 +27,10 @@
 #include "vtkFFMarks.h" // For VTK_MARSHALAUTO
 #include "vtkFFPowerDiagramFilter.h"
 #include "vtkFiltersParallelFlipFlopModule.h" // For export macro
+#include "vtkMultiProcessController.h"        // For vtkMultiProcessController
+#include "vtkSmartPointer.h"                  // For vtkSmartPointer
 
-VTK_ABI_NAMESPACE_BEGIN class vtkMultiProcessController;
-
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSPARALLELFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkPFFPowerDiagramFilter
   : public vtkFFPowerDiagramFilter
 {
@@ -52,20 +50,19 @@ public:
    * default the global controller.
    */
   VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
-  virtual void SetController(vtkMultiProcessController* controller);
+  vtkSetSmartPointerMacro(Controller, vtkMultiProcessController);
   VTK_MARSHALEXCLUDE(VTK_MARSHAL_EXCLUDE_REASON_NOT_SUPPORTED)
-  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  vtkGetSmartPointerMacro(Controller, vtkMultiProcessController);
   ///@}
 
 protected:
   vtkPFFPowerDiagramFilter();
   ~vtkPFFPowerDiagramFilter() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  vtkMultiProcessController* Controller = nullptr;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
   vtkPFFPowerDiagramFilter(const vtkPFFPowerDiagramFilter&) = delete;

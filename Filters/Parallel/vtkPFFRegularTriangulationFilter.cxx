@@ -8,37 +8,24 @@
 #include "FFProcesses.h"
 #include "FFRun.h"
 
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <cstdint>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkPFFRegularTriangulationFilter);
-vtkCxxSetObjectMacro(vtkPFFRegularTriangulationFilter, Controller, vtkMultiProcessController);
 
 //------------------------------------------------------------------------------
 vtkPFFRegularTriangulationFilter::vtkPFFRegularTriangulationFilter()
 {
-  this->SetController(vtkMultiProcessController::GetGlobalController());
+  FFDistributedInput::Prepare(this, this->Controller);
 }
 
 //------------------------------------------------------------------------------
-vtkPFFRegularTriangulationFilter::~vtkPFFRegularTriangulationFilter()
-{
-  this->SetController(nullptr);
-}
-
-//------------------------------------------------------------------------------
-int vtkPFFRegularTriangulationFilter::FillInputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(
-    vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // where a process has none, the others would wait
-  return this->Superclass::FillInputPortInformation(port, info);
-}
+vtkPFFRegularTriangulationFilter::~vtkPFFRegularTriangulationFilter() = default;
 
 //------------------------------------------------------------------------------
 int vtkPFFRegularTriangulationFilter::RequestData(
@@ -72,19 +59,18 @@ int vtkPFFRegularTriangulationFilter::RequestData(
     FFTriangulationOutput writer(this, run);
     FFDistributedTriangulation triangulation(this, processes);
     triangulation.Compute(blocks[0].Pieces);
-    triangulation.DropCells([&](const auto& points, const auto& weights, auto& cells)
-      { return writer.DropCells(points, weights, cells); });
+    std::int64_t dropped = 0;
+    triangulation.WorkOnCells([&](const auto& points, const auto& weights, auto& cells)
+      { dropped = writer.DropCells(points, weights, cells); });
     if (this->GenerateGhostCells)
     {
       triangulation.AddGhostCells();
     }
-    flipflop::Triangulation cells = triangulation.FetchCells(true);
-    const auto counts = triangulation.Report(cells);
+    flipflop::Triangulation cells = triangulation.FetchCells();
     writer.Write(triangulation.GetInput(), cells, output, vtkPolyData::SafeDownCast(results[1]),
       vtkPolyData::SafeDownCast(results[2]));
     triangulation.MarkDuplicates(output);
-    processes.Agree();
-    triangulation.GetInput().Report(cells, counts.Hidden, counts.Dropped, output);
+    triangulation.Report(cells, dropped, output);
   };
   return FFDistributedInput::Run(
     all, this->Controller, false, inputVector, outputVector, check, work);
@@ -94,7 +80,7 @@ int vtkPFFRegularTriangulationFilter::RequestData(
 void vtkPFFRegularTriangulationFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Controller: " << this->Controller << "\n";
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
   os << indent << "GenerateGhostCells: " << (this->GenerateGhostCells ? "On" : "Off") << "\n";
 }
 VTK_ABI_NAMESPACE_END
