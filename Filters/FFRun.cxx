@@ -29,7 +29,8 @@ bool isSerial()
   return vtkSMPTools::GetBackend() == std::string("Sequential");
 }
 
-/// This VTK has no threads, as in Debian's ParaView; nobody chose that since the library was loaded.
+/// This VTK has no threads, as in Debian's ParaView; nobody chose that since the library was
+/// loaded.
 const bool startedSerial = isSerial();
 
 }

@@ -19,7 +19,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 struct vtkFFReport
 {
-  int EngineUsed = -1; ///< vtkFFAlgorithm::EngineType
+  int EngineUsed = -1;      ///< vtkFFAlgorithm::EngineType
   std::string EngineReason; ///< empty: none has run
   int Dimension = -1;
   vtkIdType NumberOfInputPoints = 0;
