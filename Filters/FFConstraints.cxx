@@ -360,8 +360,8 @@ flipflop::Buffer<double> FFConstraints::Split(
     double* to = positions.data();
     for (std::int64_t i = 0; i < points.count; ++i)
     {
-      *to++ = FFPlanarInput::NumberAt(points, i * points.stride);
-      *to++ = FFPlanarInput::NumberAt(points, i * points.stride + 1);
+      *to++ = FFNumberAt(points, i * points.stride);
+      *to++ = FFNumberAt(points, i * points.stride + 1);
     }
     std::copy(added.begin(), added.end(), to);
   }
@@ -421,6 +421,16 @@ void FFConstraints::Do(const std::optional<FFConstraints>& constraints, const FF
     }
     throw FFBadConstraint(text);
   }
+}
+
+//------------------------------------------------------------------------------
+void FFConstraints::AddToFieldData(const vtkFFReport& report, vtkFieldData* data)
+{
+  const auto add = [&](const char* name, vtkIdType value)
+  { FFOutput::AddValue(data, name, static_cast<std::int64_t>(value)); };
+  add("FlipFlopSplitPoints", report.NumberOfSplitPoints);
+  add("FlipFlopAddedPoints", report.NumberOfAddedPoints);
+  add("FlipFlopHeightDifferences", report.NumberOfHeightDifferences);
 }
 
 //------------------------------------------------------------------------------

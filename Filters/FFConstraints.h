@@ -36,9 +36,11 @@ class Error;
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkDataSet;
+class vtkFieldData;
 class vtkIdList;
 class vtkInformationVector;
 class FFRun;
+struct vtkFFReport;
 class vtkPointSet;
 class vtkPolyData;
 
@@ -157,6 +159,11 @@ public:
    */
   static void Do(const std::optional<FFConstraints>& constraints, const FFRun& run,
     const std::function<void()>& work);
+
+  /**
+   * Add what a run reports of constraints.
+   */
+  static void AddToFieldData(const vtkFFReport& report, vtkFieldData* data);
 
   /**
    * The input of port 1, if there is one.

@@ -47,8 +47,7 @@ flipflop::PointView partOf(const flipflop::PointView& points, std::int64_t begin
 /// The x and y of a point.
 std::array<double, 2> positionAt(const flipflop::PointView& points, std::int64_t i)
 {
-  return { { FFPlanarInput::NumberAt(points, i * points.stride),
-    FFPlanarInput::NumberAt(points, i * points.stride + 1) } };
+  return { { FFNumberAt(points, i * points.stride), FFNumberAt(points, i * points.stride + 1) } };
 }
 
 /// The engine is asked about some points at a time, but the error is about all.

@@ -159,7 +159,8 @@ void FFPlanarInput::ProjectByTransform()
     [&](std::int64_t i)
     {
       const std::int64_t at = i * view.stride;
-      const double from[3] = { NumberAt(view, at), NumberAt(view, at + 1), NumberAt(view, at + 2) };
+      const double from[3] = { FFNumberAt(view, at), FFNumberAt(view, at + 1),
+        FFNumberAt(view, at + 2) };
       double to[3] = { NaN, NaN, NaN };
       if (isFinite(from))
       {
@@ -272,9 +273,9 @@ std::int64_t FFPlanarInput::VisitPoints(const PointVisitor& visit) const
   eachPoint(view.count, this->Run.Options,
     [&](std::int64_t i)
     {
-      const double x = NumberAt(view, i * view.stride);
-      const double y = NumberAt(view, i * view.stride + 1);
-      const double weight = weights.data ? NumberAt(weights, i * weights.stride) : 0.0;
+      const double x = FFNumberAt(view, i * view.stride);
+      const double y = FFNumberAt(view, i * view.stride + 1);
+      const double weight = weights.data ? FFNumberAt(weights, i * weights.stride) : 0.0;
       if (std::isfinite(x) && std::isfinite(y) && std::isfinite(weight))
       {
         visit(i, x, y, weight);

@@ -88,12 +88,6 @@ public:
   /// The point data of an output, if it is to be passed.
   std::vector<FFOutput::Source> GetPointData() const;
 
-  template <class View>
-  static double NumberAt(const View& view, std::int64_t i)
-  {
-    return FFNumberAt(view, i);
-  }
-
   /**
    * Calls @p visit for each point that is finite, as is its weight: the points that are
    * triangulated. Returns how many are not.

@@ -90,13 +90,12 @@ flipflop::StreamPiece FFStreamedInput::Read(int piece)
   {
     for (int k = 0; k < 3; ++k)
     {
-      x[k] = FFPlanarInput::NumberAt(view, i * view.stride + k);
+      x[k] = FFNumberAt(view, i * view.stride + k);
     }
     if (this->Shape != flipflop::BlockShape::Hull)
     {
       x[0] = std::isfinite(x[2]) ? x[0] : std::numeric_limits<double>::quiet_NaN();
-      x[2] =
-        isWeighted ? FFPlanarInput::NumberAt(weights.GetView(), i * weights.GetView().stride) : 0.0;
+      x[2] = isWeighted ? FFNumberAt(weights.GetView(), i * weights.GetView().stride) : 0.0;
     }
   }
   result.records = this->Records->Pack(points);

@@ -144,15 +144,6 @@ flipflop::ConstrainedTriangulation triangulate(vtkFFRegularTriangulationFilter* 
   return triangulation;
 }
 
-void addToFieldData(const vtkFFReport& report, vtkFieldData* data)
-{
-  const auto add = [&](const char* name, vtkIdType value)
-  { FFOutput::AddValue(data, name, static_cast<std::int64_t>(value)); };
-  add("FlipFlopSplitPoints", report.NumberOfSplitPoints);
-  add("FlipFlopAddedPoints", report.NumberOfAddedPoints);
-  add("FlipFlopHeightDifferences", report.NumberOfHeightDifferences);
-}
-
 /// The edges that are fixed, and the cells that fix them.
 void writeFixedEdges(const flipflop::ConstrainedTriangulation& triangulation,
   const FFConstraints& constraints, vtkPolyData* cells, vtkPolyData* output)
@@ -239,7 +230,7 @@ void vtkFFRegularTriangulationFilter::Execute(vtkDataObject* data,
   input.Report(triangulation, hidden, dropped, output);
   if (constraints && this->ReportAsFieldData)
   {
-    addToFieldData(run.Report, output->GetFieldData());
+    FFConstraints::AddToFieldData(run.Report, output->GetFieldData());
   }
 }
 

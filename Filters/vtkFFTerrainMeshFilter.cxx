@@ -68,7 +68,7 @@ struct HeightSpace
       for (std::int64_t i = 0; i < this->View.count; ++i)
       {
         to = this->Copy(i, to);
-        to[-1] = FFPlanarInput::NumberAt(heights, i * heights.stride);
+        to[-1] = FFNumberAt(heights, i * heights.stride);
       }
       this->View = flipflop::PointView(this->Memory.data(), this->View.count);
     }
@@ -78,7 +78,7 @@ struct HeightSpace
   {
     for (std::int64_t k = 0; k < 3; ++k)
     {
-      *to++ = FFPlanarInput::NumberAt(this->View, point * this->View.stride + k);
+      *to++ = FFNumberAt(this->View, point * this->View.stride + k);
     }
     return to;
   }
@@ -270,10 +270,7 @@ void addToFieldData(
   FFOutput::AddValue(data, "FlipFlopGreatestError", mesh.greatestError);
   FFOutput::AddValue(data, "FlipFlopPointsBeyond", mesh.beyond);
   FFOutput::AddValue(data, "FlipFlopUnreachablePoints", mesh.unreachable);
-  const std::int64_t added = report.NumberOfAddedPoints;
-  FFOutput::AddValue(data, "FlipFlopAddedPoints", added);
-  const std::int64_t differing = report.NumberOfHeightDifferences;
-  FFOutput::AddValue(data, "FlipFlopHeightDifferences", differing);
+  FFConstraints::AddToFieldData(report, data);
 }
 
 }

@@ -588,6 +588,7 @@ std::string printedReport(vtkAlgorithm* algorithm)
     report << "GreatestError: " << terrain->GetGreatestError()
            << "\nNumberOfPointsBeyond: " << terrain->GetNumberOfPointsBeyond()
            << "\nNumberOfUnreachablePoints: " << terrain->GetNumberOfUnreachablePoints()
+           << "\nNumberOfSplitPoints: " << terrain->GetNumberOfSplitPoints()
            << "\nNumberOfAddedPoints: " << terrain->GetNumberOfAddedPoints()
            << "\nNumberOfHeightDifferences: " << terrain->GetNumberOfHeightDifferences() << "\n";
   }
