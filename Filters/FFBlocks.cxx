@@ -41,10 +41,15 @@ vtkSmartPointer<vtkDataObject> newObject(const char* type, vtkDataObject* data)
   return object;
 }
 
-/// Whether a block is not worth a second thread, nor the device.
-bool isSmall(const FFBlocks::PieceType& block, const flipflop::EngineOptions& engine)
+std::int64_t pointsOf(const FFBlocks::PieceType& piece)
 {
-  const std::int64_t count = block.Data->GetNumberOfElements(vtkDataObject::POINT);
+  return piece.Data->GetNumberOfElements(vtkDataObject::POINT);
+}
+
+/// Whether a block is not worth a second thread, nor the device.
+bool isSmall(const FFBlocks::PieceType& piece, const flipflop::EngineOptions& engine)
+{
+  const std::int64_t count = pointsOf(piece);
   return count <= flipflop::UsualPointsPerThread &&
     (engine.choice == flipflop::EngineChoice::CPU ||
       (engine.choice == flipflop::EngineChoice::Automatic && count < engine.cudaFrom));
@@ -53,31 +58,37 @@ bool isSmall(const FFBlocks::PieceType& block, const flipflop::EngineOptions& en
 /// A block's run, and its results.
 struct Block
 {
-  Block(FFRun& whole, std::size_t number, std::size_t count, bool isSilent)
+  Block(FFRun& whole, std::size_t number, std::size_t count, bool isSilent, std::size_t ports)
     : Run(whole, number, count, isSilent)
+    , Results(ports)
   {
   }
 
-  void Work(vtkDataObject* data, const char* type, std::size_t ports, const FFBlocks::Work& work)
+  /// Throws nothing.
+  void Work(vtkDataObject* data, const char* type, const FFBlocks::Work& work)
   {
-    FFBlocks::Results results;
-    for (std::size_t port = 0; port < ports; ++port)
+    this->Run.Do(
+      [&]
+      {
+        for (auto& result : this->Results)
+        {
+          result = newObject(type, data);
+          FFOutput::PassFieldData(data, result);
+          FFOutput::RemoveReport(result->GetFieldData());
+        }
+        work(data, { this->Results.begin(), this->Results.end() }, this->Run);
+      });
+    for (auto& result : this->Results)
     {
-      this->Made.push_back(newObject(type, data));
-      results.push_back(this->Made.back());
-      FFOutput::PassFieldData(data, results.back());
-      FFOutput::RemoveReport(results.back()->GetFieldData());
-    }
-    this->Run.Do([&] { work(data, results, this->Run); });
-    if (this->Run.Failure)
-    {
-      std::for_each(
-        results.begin(), results.end(), [](vtkDataObject* result) { result->Initialize(); });
+      if (this->Run.Failure && result)
+      {
+        result->Initialize();
+      }
     }
   }
 
   FFRun Run;
-  std::vector<vtkSmartPointer<vtkDataObject>> Made;
+  std::vector<vtkSmartPointer<vtkDataObject>> Results;
 };
 
 /// Works on some blocks from one on: on small ones side by side, some hundreds at a time. A data
@@ -86,25 +97,25 @@ std::deque<Block> workOnSome(const Pieces& pieces, std::size_t begin, FFRun& run
   bool isConcurrent, std::size_t ports, const FFBlocks::Work& work)
 {
   constexpr std::size_t most = 256;
-  constexpr std::int64_t worth = 512; // a block takes at least as long as so many points
-  const bool areSmall = isConcurrent && isSmall(pieces[begin], run.Engine);
-  std::set<vtkDataObject*> data{ pieces[begin].Data };
-  std::size_t end = begin + 1;
-  while (areSmall && end < std::min(pieces.size(), begin + most) &&
+  constexpr std::int64_t least = 512; // a block takes at least as long as so many points
+  std::set<vtkDataObject*> data;
+  std::int64_t points = 0;
+  std::size_t end = begin;
+  while (isConcurrent && end < std::min(pieces.size(), begin + most) &&
     isSmall(pieces[end], run.Engine) && data.insert(pieces[end].Data).second)
   {
-    ++end;
+    points += std::max(least, pointsOf(pieces[end++]));
   }
+  const bool areMany = end > begin + 1;
+  end = std::max(end, begin + 1);
   std::deque<Block> blocks;
   for (std::size_t i = begin; i < end; ++i)
   {
-    blocks.emplace_back(run, i, pieces.size(), areSmall);
+    blocks.emplace_back(run, i, pieces.size(), areMany, ports);
   }
-  const auto one = [&](std::size_t k)
-  { blocks[k].Work(pieces[begin + k].Data, type, ports, work); };
-  if (areSmall)
+  const auto one = [&](std::size_t k) { blocks[k].Work(pieces[begin + k].Data, type, work); };
+  if (areMany)
   {
-    const std::int64_t points = worth * static_cast<std::int64_t>(blocks.size());
     flipflop::runSideBySide(blocks.size(), flipflop::threadCount(run.Options.threads, points), one);
   }
   else
@@ -142,7 +153,7 @@ void workOnEach(vtkCompositeDataSet* input, const FFBlocks::Results& outputs, FF
       run.Add(block.Run);
       for (std::size_t port = 0; port < outputs.size(); ++port)
       {
-        vtkCompositeDataSet::SafeDownCast(outputs[port])->SetDataSet(leaf, block.Made[port]);
+        vtkCompositeDataSet::SafeDownCast(outputs[port])->SetDataSet(leaf, block.Results[port]);
       }
       leaf->GoToNextItem();
       FFRun::Look(run.Options, static_cast<double>(++done) * share);
@@ -158,14 +169,14 @@ std::vector<FFBlocks::PieceType> FFBlocks::PiecesOf(vtkDataObject* input)
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   if (!composite)
   {
-    return { { input, 0 } };
+    return { { input } };
   }
   std::vector<PieceType> pieces;
   vtkSmartPointer<vtkCompositeDataIterator> leaves;
   leaves.TakeReference(composite->NewIterator());
   for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
   {
-    pieces.push_back({ leaves->GetCurrentDataObject(), leaves->GetCurrentFlatIndex() });
+    pieces.push_back({ leaves->GetCurrentDataObject(), leaves->GetCurrentFlatIndex(), true });
   }
   return pieces;
 }

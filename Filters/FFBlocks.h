@@ -28,12 +28,13 @@ class FFBlocks
 {
 public:
   /**
-   * A data set of an input, and its flat index in a composite; 0: it is the input.
+   * A data set of an input, and, if it is a block of a composite, its flat index there.
    */
   struct PieceType
   {
     vtkDataObject* Data;
-    unsigned int FlatIndex;
+    unsigned int FlatIndex = 0;
+    bool IsBlock = false;
   };
 
   /**
@@ -57,8 +58,8 @@ public:
     vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
   /**
-   * The outputs of all ports, or results for them: without the report of a filter upstream, which
-   * comes with the input's field data.
+   * The outputs of all ports, or results for them. The input's field data, which the executive has
+   * passed, goes without the report of a filter upstream.
    */
   using Results = std::vector<vtkDataObject*>;
   static Results DataOf(vtkInformationVector* outputVector);

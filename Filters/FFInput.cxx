@@ -296,7 +296,7 @@ vtkIdType FFInput::TakePieces(const std::vector<PieceType>& pieces, bool areGhos
   vtkIdType count = 0;
   for (const PieceType& piece : pieces)
   {
-    const std::string ofWhat = piece.FlatIndex > 0
+    const std::string ofWhat = piece.IsBlock
       ? " of the block of flat index " + std::to_string(piece.FlatIndex) + ofInput
       : ofInput.empty() ? run.OfWhat()
                         : ofInput;
@@ -310,7 +310,7 @@ vtkIdType FFInput::TakePieces(const std::vector<PieceType>& pieces, bool areGhos
         " coordinates each; a point has 3.");
     }
     count += points->GetNumberOfPoints();
-    if (piece.FlatIndex > 0 || !ofInput.empty())
+    if (piece.IsBlock || !ofInput.empty())
     {
       run.Parts.push_back({ points->GetNumberOfPoints(), ofWhat, piece.FlatIndex });
     }

@@ -317,14 +317,14 @@ void FFOutput::CopyCells(vtkCellArray* cells, flipflop::CellComplex& complex)
   const auto count = static_cast<std::size_t>(cells->GetNumberOfCells());
   complex.connectivity.allocate(static_cast<std::size_t>(cells->GetNumberOfConnectivityIds()));
   complex.offsets.allocate(count + 1);
+  vtkNew<vtkIdList> corners; // of our own: other threads may read the same cells
   std::int64_t end = 0;
   for (std::size_t i = 0; i < count; ++i)
   {
-    vtkIdType size;
-    const vtkIdType* corners;
-    cells->GetCellAtId(static_cast<vtkIdType>(i), size, corners);
+    cells->GetCellAtId(static_cast<vtkIdType>(i), corners);
+    const vtkIdType size = corners->GetNumberOfIds();
     complex.offsets[i] = end;
-    std::copy_n(corners, size, complex.connectivity.data() + end);
+    std::copy_n(corners->GetPointer(0), size, complex.connectivity.data() + end);
     end += size;
   }
   complex.offsets[count] = end;
@@ -383,7 +383,7 @@ void FFOutput::PassFieldData(vtkDataObject* input, vtkDataObject* output)
 //------------------------------------------------------------------------------
 void FFOutput::RemoveReport(vtkFieldData* data)
 {
-  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+  for (int i = data ? data->GetNumberOfArrays() - 1 : -1; i >= 0; --i)
   {
     const char* name = data->GetArrayName(i);
     if (name && std::strncmp(name, "FlipFlop", 8) == 0)

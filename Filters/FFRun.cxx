@@ -52,7 +52,7 @@ FFRun::FFRun(vtkFFAlgorithm* filter, const char* title)
       [filter](const vtkFFReport& report, unsigned long code)
       {
         filter->Report = report;
-        filter->SetErrorCode(code);
+        filter->ErrorCode = code;
       })
 {
   this->Begin(filter->GetNumberOfThreads());
@@ -75,7 +75,7 @@ FFRun::FFRun(vtkFFQueryAlgorithm* filter, const char* title)
       [filter](const vtkFFReport& report, unsigned long code)
       {
         filter->Report = report;
-        filter->SetErrorCode(code);
+        filter->ErrorCode = code;
       })
 {
   this->Begin(filter->GetNumberOfThreads());

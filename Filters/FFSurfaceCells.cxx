@@ -141,19 +141,19 @@ FFSurfaceCells::FFSurfaceCells(
   }
 
   vtkNew<vtkCellArray> all;
+  vtkNew<vtkIdList> corners; // of our own: other threads may read the same cells
   for (vtkIdType i = 0; i < count + strips->GetNumberOfCells(); ++i)
   {
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
     if (i < count)
     {
-      polygons->GetCellAtId(i, size, corners);
-      all->InsertNextCell(size, corners);
+      polygons->GetCellAtId(i, corners);
+      all->InsertNextCell(corners);
     }
     else
     {
-      strips->GetCellAtId(i - count, size, corners);
-      vtkTriangleStrip::DecomposeStrip(static_cast<int>(size), corners, all);
+      strips->GetCellAtId(i - count, corners);
+      vtkTriangleStrip::DecomposeStrip(
+        static_cast<int>(corners->GetNumberOfIds()), corners->GetPointer(0), all);
     }
     this->CellIds.resize(static_cast<std::size_t>(all->GetNumberOfCells()), i);
   }

@@ -71,7 +71,7 @@ vtkTypeBool vtkFFAlgorithm::ProcessRequest(
   {
     // The executive's first request of each run, also of one that is aborted before RequestData().
     this->Report = vtkFFReport();
-    this->SetErrorCode(vtkFFErrorCode::NoError);
+    this->ErrorCode = vtkFFErrorCode::NoError; // which is no change of the filter
   }
   return this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }

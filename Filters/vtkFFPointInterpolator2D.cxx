@@ -77,7 +77,7 @@ void vtkFFPointInterpolator2D::ClearExcludedArrays()
 //------------------------------------------------------------------------------
 double vtkFFPointInterpolator2D::Prepare(vtkDataObject* data, FFRun& run)
 {
-  if (this->Prepared && this->IsPrepared(data))
+  if (this->IsPrepared(data) && this->Prepared)
   {
     return 0.0;
   }
@@ -120,7 +120,7 @@ void vtkFFPointInterpolator2D::Execute(vtkDataObject* data, vtkDataSet* result, 
     { this->PassFieldArrays, result->GetFieldData() } };
   for (const auto& one : passed)
   {
-    if (!one.first)
+    if (!one.first && one.second)
     {
       one.second->Initialize();
     }

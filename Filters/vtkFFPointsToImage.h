@@ -198,6 +198,7 @@ protected:
     const std::vector<vtkDataObject*>& results, FFRun& run) override;
   const char* GetTitle() const override { return "Image of points"; }
   const char* GetResultType() const override { return "vtkImageData"; }
+  bool IsConcurrent() const override { return false; } ///< few points can have many pixels
 
   int SizeMode = SIZE_BY_DIMENSIONS;
   int Dimensions[2] = { 256, 256 };

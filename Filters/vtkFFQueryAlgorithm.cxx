@@ -15,8 +15,26 @@
 #include "vtkInformationVector.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+
+/// A source and its blocks: a composite does not know when these change.
+std::vector<const vtkDataObject*> dataOf(vtkDataObject* source)
+{
+  std::vector<const vtkDataObject*> data{ source };
+  for (const FFBlocks::PieceType& piece : FFBlocks::PiecesOf(source))
+  {
+    data.push_back(piece.Data);
+  }
+  return data;
+}
+
+}
+
 //------------------------------------------------------------------------------
 vtkFFQueryAlgorithm::vtkFFQueryAlgorithm()
 {
@@ -44,7 +62,7 @@ vtkTypeBool vtkFFQueryAlgorithm::ProcessRequest(
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED())) // as in vtkFFAlgorithm
   {
     this->Report = vtkFFReport();
-    this->SetErrorCode(vtkFFErrorCode::NoError);
+    this->ErrorCode = vtkFFErrorCode::NoError; // which is no change of the filter
   }
   return this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
@@ -73,6 +91,10 @@ int vtkFFQueryAlgorithm::RequestData(
   run.Do(
     [&]
     {
+      if (!source)
+      {
+        throw std::runtime_error("There is no input. Set one.");
+      }
       const double begin = this->Prepare(source, run);
       run.Parts.clear(); // what errors are about from now on is the input
       run.Ids.clear();
@@ -86,20 +108,24 @@ int vtkFFQueryAlgorithm::RequestData(
 //------------------------------------------------------------------------------
 bool vtkFFQueryAlgorithm::IsPrepared(vtkDataObject* source)
 {
-  vtkMTimeType time = std::max(this->GetMTime(), source->GetMTime());
-  // A composite does not know when its data sets change.
-  for (const FFBlocks::PieceType& piece : FFBlocks::PiecesOf(source))
+  vtkMTimeType time = this->GetMTime();
+  const std::vector<const vtkDataObject*> data = dataOf(source);
+  for (const vtkDataObject* one : data)
   {
-    time = std::max(time, piece.Data->GetMTime());
+    time = std::max(time, const_cast<vtkDataObject*>(one)->GetMTime());
   }
-  return this->PreparedSource == source && this->PreparedTime.GetMTime() > time;
+  const bool isPrepared = this->PreparedData == data && this->PreparedTime.GetMTime() > time;
+  if (!isPrepared)
+  {
+    this->PreparedTime.Modified(); // from now on, changes count
+  }
+  return isPrepared;
 }
 
 //------------------------------------------------------------------------------
 void vtkFFQueryAlgorithm::SetPrepared(vtkDataObject* source)
 {
-  this->PreparedSource = source;
-  this->PreparedTime.Modified();
+  this->PreparedData = dataOf(source);
 }
 
 //------------------------------------------------------------------------------

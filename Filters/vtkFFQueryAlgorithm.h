@@ -29,6 +29,8 @@
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 #include "vtkTimeStamp.h"             // For vtkTimeStamp
 
+#include <vector> // For std::vector
+
 VTK_ABI_NAMESPACE_BEGIN
 class FFRun;
 
@@ -115,8 +117,8 @@ protected:
 
   ///@{
   /**
-   * Whether what is prepared is of that source as it is, and of the settings as they are; say that
-   * it is.
+   * Whether what is prepared is of that source as it is, and of the settings as they are. If not,
+   * it is to be prepared: say when it is.
    */
   bool IsPrepared(vtkDataObject* source);
   void SetPrepared(vtkDataObject* source);
@@ -140,7 +142,7 @@ private:
   friend class FFRun; // sets the report
 
   vtkTimeStamp PreparedTime;
-  const vtkDataObject* PreparedSource = nullptr; ///< which may be gone
+  std::vector<const vtkDataObject*> PreparedData; ///< the source, and its blocks; may be gone
 };
 VTK_ABI_NAMESPACE_END
 

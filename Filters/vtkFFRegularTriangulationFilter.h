@@ -64,10 +64,10 @@ public:
    * by the squares of both; the circle's may be negative. A negative number and NaN are errors.
    *
    * AlphaLines adds the edges of no triangle that stays, whose own least circle has at most the
-   * radius Alpha and no point in it, as lines; AlphaVerts adds the points that are left as
-   * vertices. GenerateAlphas adds the cell array Alpha (vtkDoubleArray): the least Alpha for which
-   * a cell stays, rounded up (negative for a negative square), for a vtkThreshold. All are off by
-   * default.
+   * radius Alpha and no point in it (with constraints: no corner of the cells at the edge), as
+   * lines; AlphaVerts adds the points that are left as vertices. GenerateAlphas adds the cell array
+   * Alpha (vtkDoubleArray): the least Alpha for which a cell stays, rounded up (negative for a
+   * negative square), for a vtkThreshold. All are off by default.
    */
   vtkSetMacro(Alpha, double);
   vtkGetMacro(Alpha, double);
@@ -111,8 +111,9 @@ public:
    * constraints let points see each other. Their order does not matter. A constraint through points
    * is parted there, and one that ends at a duplicate ends at the lowest id of that position.
    *
-   * The CPU engine does the work. A composite on port 0, weights, and asking for the CUDA engine
-   * are errors then. So is a constraint whose point is not there or is left out.
+   * The CPU engine does the work. A composite of several data sets on port 0, weights, and asking
+   * for the CUDA engine are errors then. So is a constraint whose point is not there or is left
+   * out.
    */
   void SetSourceData(vtkDataObject* source) { this->SetInputData(1, source); }
   void SetSourceConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }

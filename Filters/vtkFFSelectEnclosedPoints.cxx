@@ -51,7 +51,7 @@ vtkFFSelectEnclosedPoints::~vtkFFSelectEnclosedPoints() = default;
 //------------------------------------------------------------------------------
 double vtkFFSelectEnclosedPoints::Prepare(vtkDataObject* surface, FFRun& run)
 {
-  if (this->Prepared && this->IsPrepared(surface))
+  if (this->IsPrepared(surface) && this->Prepared)
   {
     return 0.0;
   }
@@ -132,6 +132,7 @@ void vtkFFSelectEnclosedPoints::Initialize(vtkDataObject* surface)
   this->Complete();
   FFRun run(this, this->GetTitle());
   run.Options.progress = nullptr; // it is no run of the pipeline's, which could be stopped
+  run.Options.step = nullptr;
   run.Do(
     [&]
     {

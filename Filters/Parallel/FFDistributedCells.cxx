@@ -92,7 +92,16 @@ flipflop::BlockPoints redistribute(
     }
     PointRegions(std::move(sample), count).find(keys.data(), keys.size(), regions.data());
   }
+  std::vector<std::size_t> sizes(static_cast<std::size_t>(count));
+  for (const int region : regions)
+  {
+    sizes[static_cast<std::size_t>(region)] += sizeof(Point);
+  }
   FFProcesses::Messages messages;
+  for (int region = 0; region < count; ++region)
+  {
+    messages[region].reserve(sizes[static_cast<std::size_t>(region)]);
+  }
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     FFProcesses::Append(&points[i], 1, messages[regions[i]]);

@@ -102,11 +102,12 @@ std::vector<BlockType> blocksOf(vtkDataObject* input, bool joined)
       }
       else if (data)
       {
-        block.Pieces.push_back({ data, 0 });
+        block.Pieces.push_back({ data });
       }
       for (auto& piece : block.Pieces)
       {
         piece.FlatIndex = block.FlatIndex;
+        piece.IsBlock = block.FlatIndex > 0;
       }
       blocks.push_back(block);
     });
@@ -187,11 +188,11 @@ std::vector<Task> makeResults(
 void runEachBlock(vtkMultiProcessController* controller, const std::vector<Task>& tasks,
   const FFDistributedInput::Work& work, FFProcesses& all)
 {
-  all.Agree();
   for (std::size_t i = 0; i < tasks.size(); ++i)
   {
     FFRun run(all.GetRun(), i, tasks.size(), false);
     FFProcesses processes(controller, run);
+    all.Agree(); // what was thrown since the last block is no failure of this one
     processes.Do([&] { work({ *tasks[i].first }, processes, tasks[i].second); });
     if (run.Failure)
     {

@@ -5,6 +5,7 @@
 #include "FFRun.h"
 
 #include <flipflop/Buffer.h>
+#include <flipflop/Error.h>
 
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
@@ -201,6 +202,10 @@ std::vector<FFProcesses::Message> FFProcesses::GatherMessages(const Message& own
   this->Controller->AllGather(&size, sizes.data(), 1);
   std::vector<vtkIdType> begins{ 0 };
   std::partial_sum(sizes.begin(), sizes.end(), std::back_inserter(begins));
+  if (begins.back() > VTK_INT_MAX) // of bytes, which MPI counts by ints
+  {
+    throw flipflop::Error(flipflop::ErrorCode::OutOfMemory, -1, begins.back());
+  }
   Message all(static_cast<std::size_t>(begins.back()));
   this->Agree(); // all have the memory
   this->Controller->AllGatherV(own.data(), all.data(), size, sizes.data(), begins.data());

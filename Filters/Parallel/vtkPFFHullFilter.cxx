@@ -28,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -96,8 +97,10 @@ void readPoints(
 }
 
 /// The hull of the hulls of all processes, on process 0. Collective.
-void gather(FFHullResult& hull, FFProcesses& processes)
+/// @param first the lowest id of the process's points; VTK_ID_MAX: none
+void gather(FFHullResult& hull, vtkIdType first, FFProcesses& processes)
 {
+  const std::vector<std::vector<vtkIdType>> firsts = processes.Gather<vtkIdType>({ first });
   FFProcesses::Messages messages;
   hull.KeepKind();
   if (processes.GetRank() > 0)
@@ -109,25 +112,36 @@ void gather(FFHullResult& hull, FFProcesses& processes)
   {
     return;
   }
-  std::vector<vtkSmartPointer<vtkPointSet>> hulls{ hull.Data };
+  // In the order of the points: the first block with some decides on types and data, as alone.
+  std::multimap<vtkIdType, vtkSmartPointer<vtkPointSet>> hulls{ { first, hull.Data } };
   for (auto& message : messages)
   {
-    hulls.emplace_back(FFPointMessage::Unpack(std::move(message.second)));
+    const vtkIdType its = firsts[static_cast<std::size_t>(message.first)][0];
+    hulls.emplace(its, FFPointMessage::Unpack(std::move(message.second)));
   }
-  const vtkSmartPointer<vtkPointSet> all = FFOutput::Append({ hulls.begin(), hulls.end() });
+  std::vector<vtkPointSet*> sorted;
+  for (const auto& [its, data] : hulls)
+  {
+    sorted.push_back(data);
+  }
+  const vtkSmartPointer<vtkPointSet> all = FFOutput::Append(sorted);
   auto* const ids =
     vtkIdTypeArray::SafeDownCast(all->GetPointData()->GetArray("vtkOriginalPointIds"));
   vtkNew<vtkIdTypeArray> order; // of several blocks, ids do not ascend from process to process
   order->SetNumberOfValues(all->GetNumberOfPoints());
-  vtkIdType* const first = order->GetPointer(0);
-  std::iota(first, first + order->GetNumberOfValues(), vtkIdType(0));
-  std::stable_sort(first, first + order->GetNumberOfValues(),
+  vtkIdType* const begin = order->GetPointer(0);
+  std::iota(begin, begin + order->GetNumberOfValues(), vtkIdType(0));
+  std::stable_sort(begin, begin + order->GetNumberOfValues(),
     [&](vtkIdType a, vtkIdType b) { return ids->GetValue(a) < ids->GetValue(b); });
   std::vector<FFHullResult> joined(1);
   std::swap(joined[0], hull);
   if (ids) // there is a point
   {
     joined[0].Data = vtkPolyData::SafeDownCast(FFOutput::Select(all, order));
+  }
+  else
+  {
+    joined[0].Data->SetPoints(all->GetPoints()); // of the type of all
   }
   hull.Join(joined, processes.GetRun());
 }
@@ -179,8 +193,8 @@ std::vector<bool> distribute(FFHullResult& hull, FFProcesses& processes)
 
 /// The hull of what this process has becomes that of what all have: on process 0; or a share on
 /// each, and whether another process counts each of its points. Collective.
-void join(vtkPFFHullFilter* filter, bool mayStay, FFProcesses& processes, FFHullResult& hull,
-  std::optional<std::vector<bool>>& duplicates)
+void join(vtkPFFHullFilter* filter, bool mayStay, vtkIdType first, FFProcesses& processes,
+  FFHullResult& hull, std::optional<std::vector<bool>>& duplicates)
 {
   const flipflop::Statistics& statistics = hull.Hull.statistics;
   const std::vector<vtkIdType> counts = processes.Sum({ static_cast<vtkIdType>(statistics.points),
@@ -194,7 +208,7 @@ void join(vtkPFFHullFilter* filter, bool mayStay, FFProcesses& processes, FFHull
   }
   else
   {
-    gather(hull, processes);
+    gather(hull, first, processes);
   }
   hull.Hull.statistics.points = counts[0];
   hull.Hull.statistics.nonFinite = counts[1];
@@ -288,6 +302,7 @@ int vtkPFFHullFilter::RequestData(
     FFRun& run = processes.GetRun();
     std::optional<std::vector<bool>> duplicates;
     FFHullResult hull;
+    vtkIdType first = processes.GetRank(); // streams are in this order
     if (isStreamed)
     {
       FFHullStream stream(this, inputVector[0]->GetInformationObject(0),
@@ -301,8 +316,9 @@ int vtkPFFHullFilter::RequestData(
       readPoints(this, blocks, processes, input);
       input.TakeCoordinates();
       hull.Take(input, this->PassPointData, run);
+      first = input.GetView().count > 0 ? run.GetId(0) : VTK_ID_MAX;
     }
-    join(this, isStreamed || blocks.size() == 1, processes, hull, duplicates);
+    join(this, isStreamed || blocks.size() == 1, first, processes, hull, duplicates);
     vtkPolyData* const output = vtkPolyData::SafeDownCast(results[0]);
     if (processes.GetRank() == 0 || duplicates)
     {

@@ -282,6 +282,17 @@ void testAMR()
   hull->Update();
   FF_CHECK_EQUAL(hull->GetOutput()->GetNumberOfPoints(), 8);
   FF_CHECK_EQUAL(hull->GetVolume(), 64.0);
+  // Also where the last grid sticks out, whose flat index is 2, as the first one's is 0.
+  levels->GetDataSet(1, 1)->SetOrigin(20, 0, 0);
+  hull->Modified();
+  hull->Update();
+  vtkPointData* const data = hull->GetOutput()->GetPointData();
+  double range[2] = { -1, -1 };
+  if (vtkDataArray* const blocks = data->GetArray("BlockIndex"))
+  {
+    blocks->GetRange(range);
+  }
+  FF_CHECK(range[0] == 0 && range[1] == 2);
 }
 
 /// Wherever they are: also the first, the last, and next to each other.

@@ -78,6 +78,21 @@ Answers answersOf(const Case& of, vtkDataObject* input, vtkDataObject* second)
   return answersIn(of, of.Filter->GetOutputDataObject(0));
 }
 
+/// Field data may be missing, of input and output, in each run.
+void testWithoutFieldData()
+{
+  const auto points = makePoints({ { 0.5, 0.5, 0.5 } });
+  points->SetFieldData(nullptr);
+  for (const Case& of : cases())
+  {
+    for (int run = 0; run < 2; ++run)
+    {
+      of.Filter->Modified();
+      FF_CHECK(answersOf(of, points, makePoints(cubeCorners())) == Answers{ 1 });
+    }
+  }
+}
+
 /// A composite has answers of the same structure; the blocks of a second input count together.
 void testComposites()
 {
@@ -318,6 +333,17 @@ void testChanges(const Case& of)
   FF_CHECK_EQUAL(count(touchBlock), 2);
   FF_CHECK_EQUAL(count([&] { filter->Modified(); }), 2);
 
+  // A block within a block, which is replaced by an older one.
+  const auto older = makePoints(cubeCorners());
+  vtkNew<vtkMultiBlockDataSet> inner;
+  inner->SetBlock(0, makePoints({ { 0, 0, 0 }, { 9, 0, 0 }, { 0, 9, 0 }, { 0, 0, 9 } }));
+  vtkNew<vtkMultiBlockDataSet> outer;
+  outer->SetBlock(0, inner);
+  FF_CHECK(answersOf(of, point, outer) == Answers{ 1 });
+  inner->SetBlock(0, older);
+  point->Modified();
+  FF_CHECK(answersOf(of, point, outer) == Answers{ 0 });
+
   vtkNew<vtkSphereSource> sphere;
   filter->SetInputConnection(1, sphere->GetOutputPort());
   sphere->SetRadius(9.0);
@@ -336,6 +362,7 @@ void testChanges(const Case& of)
 
 int TestFFQueryAlgorithm(int, char*[])
 {
+  testWithoutFieldData();
   testComposites();
   testGhosts();
   testPrint();
