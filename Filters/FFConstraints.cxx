@@ -426,11 +426,12 @@ void FFConstraints::Do(const std::optional<FFConstraints>& constraints, const FF
 //------------------------------------------------------------------------------
 void FFConstraints::AddToFieldData(const vtkFFReport& report, vtkFieldData* data)
 {
-  const auto add = [&](const char* name, vtkIdType value)
-  { FFOutput::AddValue(data, name, static_cast<std::int64_t>(value)); };
-  add("FlipFlopSplitPoints", report.NumberOfSplitPoints);
-  add("FlipFlopAddedPoints", report.NumberOfAddedPoints);
-  add("FlipFlopHeightDifferences", report.NumberOfHeightDifferences);
+  const std::int64_t split = report.NumberOfSplitPoints;
+  const std::int64_t added = report.NumberOfAddedPoints;
+  const std::int64_t differing = report.NumberOfHeightDifferences;
+  FFOutput::AddValue(data, "FlipFlopSplitPoints", split);
+  FFOutput::AddValue(data, "FlipFlopAddedPoints", added);
+  FFOutput::AddValue(data, "FlipFlopHeightDifferences", differing);
 }
 
 //------------------------------------------------------------------------------

@@ -261,6 +261,8 @@ void vtkFFPointsToImage::Execute(vtkDataObject* data, vtkInformationVector** inp
       int(CLOSEST_POINT) == int(vtkFFPointInterpolator2D::CLOSEST_POINT),
     "these are the values of FFInterpolatedData");
   auto* const output = vtkImageData::SafeDownCast(results[0]);
+  // Values by natural neighbours have other last bits over polygons.
+  run.Options.facets = flipflop::FacetMode::Triangles;
   vtkPolyData* const source = FFConstraints::SourceOf(inputVector, run);
   checkSettings(this, source != nullptr);
   FFPlanarInput input(this, run);

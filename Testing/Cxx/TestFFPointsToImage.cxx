@@ -126,8 +126,13 @@ void testAgainstPoints()
   std::cout << "seed " << seed << "\n";
   const auto source = makeSource(2000, seed);
   const auto weighted = randomWeighted(500, seed);
+  const auto grid = makeSource(900, seed); // of facets with four corners
+  for (int i = 0; i < 900; ++i)
+  {
+    grid->GetPoints()->SetPoint(i, 0.07 * (i % 30), 0.07 * (i / 30), grid->GetPoint(i)[2]);
+  }
   vtkNew<vtkFFPointInterpolator2D> points;
-  for (vtkPolyData* given : { source.Get(), weighted.Get() })
+  for (vtkPolyData* given : { source.Get(), weighted.Get(), grid.Get() })
   {
     Imaging run(given);
     points->SetSourceData(given);
@@ -137,6 +142,7 @@ void testAgainstPoints()
     for (int k = 0; k < 9; ++k)
     {
       const double null = k % 2 == 0 ? notANumber : -7.0;
+      run->SetFacetMode(k % 2);
       run->SetInterpolationMode(k / 3);
       points->SetInterpolationMode(k / 3);
       run->SetNullPointsStrategy(k % 3);

@@ -247,7 +247,8 @@ void demandResult(vtkFFAlgorithm* filter, vtkPointSet* data)
     demand(fftest::isHullOf(input, output, filter->GetDimension()), "not the hull");
   }
   auto* triangulation = vtkFFRegularTriangulationFilter::SafeDownCast(filter);
-  if (triangulation && triangulation->GetNumberOfDroppedCells() == 0 &&
+  if (triangulation && !triangulation->GetSource() &&
+    triangulation->GetNumberOfDroppedCells() == 0 &&
     triangulation->GetProjectionPlaneMode() == vtkFFRegularTriangulationFilter::XY_PLANE &&
     !triangulation->GetInformation()->Has(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS()))
   {
