@@ -516,6 +516,14 @@ bool isTriangulationOf(
     return false;
   }
   const auto points = doubles(input);
+  for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
+  {
+    if (!std::isfinite(
+          points->GetComponent(i, 2))) // the filter leaves the point out, the engine not
+    {
+      points->SetComponent(i, 0, std::nan(""));
+    }
+  }
   vtkNew<vtkDoubleArray> values;
   flipflop::WeightView weightView;
   if (weights)
