@@ -518,8 +518,7 @@ bool isTriangulationOf(
   const auto points = doubles(input);
   for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
   {
-    if (!std::isfinite(
-          points->GetComponent(i, 2))) // the filter leaves the point out, the engine not
+    if (!std::isfinite(points->GetComponent(i, 2))) // left out by the filter, not by the engine
     {
       points->SetComponent(i, 0, std::nan(""));
     }
