@@ -71,7 +71,7 @@ public:
     for (int i = 0; i < 3; ++i)
     {
       const double extent = 0.5 * range.high[i] - 0.5 * range.low[i];
-      this->shift[i] = extent > 0 ? std::max(-1000, std::min(std::ilogb(extent) + 2, 1020)) : 0;
+      this->shift[i] = extent > 0 ? std::max(-1000, std::ilogb(extent) + 2) : 0;
       this->most = extent > 0 ? std::max(this->most, this->shift[i]) : this->most;
       this->toUnit[i] = std::ldexp(1.0, -this->shift[i]);
     }

@@ -7,6 +7,7 @@
 #include "Testing/Engine/Conformance/Kind.h"
 
 #include <cmath>
+#include <limits>
 
 namespace flipflop
 {
@@ -255,6 +256,29 @@ TEST(RegularTriangulation, IsTheLowerHullOfTheLifts)
     EXPECT_EQ(difference(found, wanted, FacetMode::Polygons, count), "") << "seed " << seed;
   }
   EXPECT_GT(planes, 0);
+}
+
+TEST(ConvexHull, HasMeasuresAsLargeAsItsCoordinates)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto boxOf = [](double x, double y, double z)
+  {
+    Cloud cloud = { { 0x1p-1074, 0, 0 } }; // so that no power of two scales all
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      cloud.push_back({ corner & 1 ? x : -x, corner & 2 ? y : -y, corner & 4 ? z : -z });
+    }
+    return convexHull(viewOf(cloud));
+  };
+  const double most = std::numeric_limits<double>::max();
+  for (const double half : { most, 0x1p1023, 0x1p1022 })
+  {
+    const Hull cube = boxOf(half, half, half);
+    EXPECT_EQ(cube.volume, infinity) << half;
+    EXPECT_EQ(cube.area, infinity) << half;
+  }
+  EXPECT_EQ(boxOf(0x1p1023, 0x1p1023, 0x1p-1070).volume, 0x1p979);
+  EXPECT_EQ(boxOf(0x1p1023, 0x1p-4, 0x1p-4).volume, 0x1p1018);
 }
 
 }
