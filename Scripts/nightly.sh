@@ -38,6 +38,12 @@ for part in "${parts[@]}"; do
       fixed_layout
       build_and_test asan asan-nightly -DFLIPFLOP_NIGHTLY=ON
       build_and_test tsan tsan-nightly -DFLIPFLOP_NIGHTLY=ON
+      build="$top/build/tsan-filters"
+      (cd "$top" && cmake --preset tsan -B "$build" -DFLIPFLOP_BUILD_FILTERS=ON -DFLIPFLOP_WRAP_PYTHON=OFF \
+        -DPython3_EXECUTABLE="$python")
+      cmake --build "$build" --target FiltersFlipFlopCxxTests --parallel "$(parallel_jobs)"
+      say "Test: filters updated by two threads at once, under ThreadSanitizer"
+      "${layout[@]}" "$build/bin/FiltersFlipFlopCxxTests" TestFFTwoAtOnce
       if command -v nvcc >/dev/null; then
         build="$top/build/stand-in-tsan"
         (cd "$top" && cmake --preset stand-in-tsan -B "$build" -DPython3_EXECUTABLE="$python")
