@@ -35,7 +35,7 @@ if grep -qs '_paraview_use_external_vtk "ON"' "$config"; then
 fi
 
 # The wheel's build environment comes from the package index; libgl1 and libxcursor1 are what the wheel vtk draws with.
-wheel=(libpython3-dev python3-venv libgl1 libxcursor1 xvfb)
+wheel=(g++ libpython3-dev python3-venv libgl1 libxcursor1 xvfb)
 
 packages=()
 for purpose in "$@"; do
@@ -47,7 +47,7 @@ for purpose in "$@"; do
     mingw) packages+=("${mingw[@]}") ;;
     benchmark) packages+=("${build[@]}" "${peers[@]}" python3-matplotlib python3-venv) ;;
     paraview) packages+=("${build[@]}" "${plugin[@]}") ;;
-    wheel) packages+=("${build[@]}" "${wheel[@]}") ;;
+    wheel) packages+=("${wheel[@]}") ;;
     *) echo "usage: install-dependencies.sh demo|test|fuzz|libcxx|mingw|benchmark|paraview|wheel..." >&2; exit 2 ;;
   esac
 done

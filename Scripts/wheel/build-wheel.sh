@@ -3,8 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # build-wheel.sh FOLDER [OPTION OF PIP]...: builds the wheel vtkflipflop, with the VTK classes, for Debian's Python or those
-# that PYTHON names, in order ("python3.12 python3.13"), and repairs it: oneTBB travels with it, with its licence, and its
-# name tells the oldest C library that it runs with. Versions of Python from 3.12 on share one wheel; an older one gets its
+# that PYTHON names, in order ("python3.12 python3.13"), and repairs it: its name tells the oldest C library that it runs with. Versions of Python from 3.12 on share one wheel; an older one gets its
 # own. FOLDER/repaired gets them; FOLDER/work, what they are made with, goes in the end. Where there is a FOLDER/sdk, VTK's
 # SDK is taken from there. HOME_URL is the repository's address: for a release, the metadata name it, and it makes the
 # description's links absolute.
@@ -41,10 +40,7 @@ mkdir "$work/types"
 (cd "$work/types" && "$tools/bin/python" -m vtkmodules.generate_pyi --package vtkflipflop --output . \
   vtkFiltersFlipFlop vtkFiltersParallelFlipFlop)
 
-# Debian keeps the licences of what it brings.
-additions=(--licence oneTBB/copyright /usr/share/doc/libtbb12/copyright
-  --licence oneTBB/Apache-2.0 /usr/share/common-licenses/Apache-2.0
-  --licence Eigen/MPL-2.0 /usr/share/common-licenses/MPL-2.0)
+additions=()
 [ -z "${HOME_URL:-}" ] || additions+=(--home "$HOME_URL")
 for file in "$work"/types/vtk*.pyi; do
   additions+=(--add "$file")

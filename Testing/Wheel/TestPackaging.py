@@ -102,10 +102,9 @@ def test_all_of_the_readme_s_links_become_addresses():
 
 def test_what_travels_along_has_its_licence():
     files = [str(file) for file in distribution("vtkflipflop").files]
-    if any("libtbb" in file for file in files):
-        assert any(file.endswith("licenses/oneTBB/Apache-2.0") for file in files)
-        assert any(file.endswith("licenses/Eigen/MPL-2.0") for file in files)
-    assert any(file.endswith("licenses/LICENSE") for file in files)
+    assert not any("vtkflipflop.libs" in file for file in files)
+    for licence in PROJECT["project"]["license-files"]:
+        assert any(file.endswith(f"licenses/{licence}") for file in files)
 
 
 def test_numpy_is_all_that_is_needed():
@@ -119,4 +118,5 @@ def test_the_recipe_for_conda_tells_the_same():
     version = re.search(r"project\(FlipFlop\s+VERSION ([\d.]+)", (TOP / "CMakeLists.txt").read_text())[1]
     assert f'version: "{version}"' in recipe
     for requirement in (*PROJECT["build-system"]["requires"], *PROJECT["project"]["dependencies"]):
-        assert "- " + re.sub(r"([a-z])([<>=])", r"\1 \2", requirement, count=1) in recipe
+        if not re.match("boost|cmeel", requirement):  # conda's have other names and versions
+            assert "- " + re.sub(r"([a-z])([<>=])", r"\1 \2", requirement, count=1) in recipe
