@@ -26,8 +26,10 @@ CLASSES = [*PYVISTA, "Testing/Python"]
 # What is installed beside the wheel, without what it would bring along by itself; and the tests.
 ENVIRONMENTS = {
     "numpy alone": (["mypy", "scipy"], ARRAYS),
-    "vtk of the VTK classes": (["vtk==9.6.2", "pyvista", "tqdm", "scipy", "mypy"], CLASSES),
-    "newest vtk": (["vtk", "pyvista", "tqdm", "scipy", "mypy"], PYVISTA),
+    **{
+        f"vtk {version}": ([f"vtk=={version}.*", "pyvista", "tqdm", "scipy", "mypy"], CLASSES)
+        for version in ("9.2", "9.3", "9.4", "9.5", "9.6", "9.7")
+    },
     "cvista": (["cvista", "pyvista", "tqdm", "scipy", "mypy"], PYVISTA),
     "oldest PyVista": (["pyvista==0.44.*", "vtk<9.5", "tqdm", "scipy", "mypy"], PYVISTA),
 }
