@@ -7,13 +7,11 @@ import os
 import re
 import subprocess
 import sys
-from importlib.metadata import requires, version
+from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
-
-from vtkflipflop import _vtk_check
 
 TOP = Path(__file__).resolve().parents[2]
 
@@ -43,7 +41,7 @@ print(mesh.n_points)
 def why_not():
     """Why the VTK classes cannot be used here; empty if they can."""
     try:
-        _vtk_check.check()
+        from vtkflipflop import vtkFFHullFilter  # noqa: F401
     except ImportError as error:
         return str(error)
     return ""
@@ -59,20 +57,13 @@ def test_objects_are_shared(order):
 
 
 def test_nothing_of_the_machine_is_needed_but_its_c_library():
-    """Beside VTK's libraries and what travels with the wheel."""
     import vtkflipflop
 
     folder = Path(vtkflipflop.__file__).parent
-    allowed = ("libstdc++", "libgcc_s", "libm", "libc", "libpthread", "libdl", "librt", "ld-linux", "libz")
-    for library in folder.glob("*.so"):
-        if ".cpython-" in library.name and f".{sys.implementation.cache_tag}-" not in library.name:
-            continue  # of another version of Python, in the same wheel
-        out = subprocess.run(["ldd", str(library)], capture_output=True, text=True, check=True).stdout
-        missing = re.findall(r"^\s*(\S+) => not found", out, re.MULTILINE)
-        assert not missing or why_not() and all(name.startswith("libvtk") for name in missing), out
-        for name, place in re.findall(r"^\s*(\S+) => (/\S+)", out, re.MULTILINE):
-            own = Path(place).resolve().is_relative_to(folder.parent.resolve())
-            assert own or re.match(r"(.*)\.so", name)[1] in allowed, f"{library.name}: {name} => {place}"
+    allowed = {"libstdc++", "libgcc_s", "libm", "libc", "libpthread", "libdl", "librt"}
+    (library,) = folder.glob("*.so")
+    out = subprocess.run(["ldd", str(library)], capture_output=True, text=True, check=True).stdout
+    assert {*re.findall(r"^\s*(\S+)\.so\S* => ", out, re.MULTILINE)} <= allowed, out
 
 
 def test_the_version_is_that_of_the_project():
@@ -81,14 +72,6 @@ def test_the_version_is_that_of_the_project():
     text = (TOP / "CMakeLists.txt").read_text()
     expected = re.search(r"project\(FlipFlop\s+VERSION ([\d.]+)", text)[1]
     assert vtkflipflop.__version__ == version("vtkflipflop") == expected
-
-
-@pytest.mark.skipif(not _vtk_check.NEWEST, reason="built without VTK's classes")
-def test_the_newest_vtk_that_is_allowed_is_the_one_of_the_build():
-    sdk = re.search(r'"vtk-sdk==([\d.]+)"', (TOP / "pyproject.toml").read_text())[1]
-    assert _vtk_check.NEWEST == sdk
-    allowed = next(name for name in requires("vtkflipflop") if re.match(r"vtk\W", name))
-    assert set(allowed.split(";")[0][3:].split(",")) == {f">={_vtk_check.OLDEST}", f"<={_vtk_check.NEWEST}"}
 
 
 FOREIGN = """
