@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FFFailure.h"
 
+#include "FFErrorTexts.h"
 #include "FFExactValues.h"
 
 #include <flipflop/Engines.h>
 #include <flipflop/Error.h>
 #include <flipflop/Weights.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstring>
 #include <exception>
@@ -26,74 +28,13 @@ std::string capitalized(std::string text)
   return text;
 }
 
-/// The sentence and the code for an error of the engine: with its {index} and {count}, its {text},
-/// and {of} which data set.
-struct ErrorText
-{
-  flipflop::ErrorCode Code;
-  unsigned long Id;
-  const char* Text;
-};
-
 using flipflop::ErrorCode;
-constexpr ErrorText errorTexts[] = {
-  { ErrorCode::TooManyPoints, vtkFFErrorCode::MemoryError,
-    "{count} points are more than 32-bit indices can name." },
-  { ErrorCode::OutOfMemory, vtkFFErrorCode::MemoryError,
-    "There is not enough memory for this input: {count} bytes were refused." },
-  { ErrorCode::BadArgument, vtkFFErrorCode::InputError, "The engine refuses an argument: {text}." },
-  { ErrorCode::WeightCount, vtkFFErrorCode::InputError,
-    "There are not as many weights as points: {count} for {index}." },
-  { ErrorCode::BadTriangle, vtkFFErrorCode::SurfaceError,
-    "A cell names a point that does not exist, or the same point twice: first at cell {index}{of}, "
-    "{count} such cell(s) in all." },
-  { ErrorCode::NotSimple, vtkFFErrorCode::SurfaceError,
-    "A polygon crosses or touches itself, so it cannot be cut into triangles: first at cell "
-    "{index}{of}, {count} such polygon(s) in all." },
-  { ErrorCode::NotClosed, vtkFFErrorCode::SurfaceError,
-    "The surface is not closed: first at cell {index}{of}, which has an edge that no other "
-    "triangle shares; {count} such edge(s) in all." },
-  { ErrorCode::NotManifold, vtkFFErrorCode::SurfaceError,
-    "The surface is not a manifold: first at cell {index}{of}, which has an edge of three or more "
-    "triangles, or a vertex where several fans of triangles meet; {count} such edge(s) and "
-    "vertices in all." },
-  { ErrorCode::NotOriented, vtkFFErrorCode::SurfaceError,
-    "The surface is not oriented consistently: first at cell {index}{of}, whose neighbour runs "
-    "their shared edge the same way. Generate Surface Normals (vtkPolyDataNormals) can mend that, "
-    "with Consistency on." },
-  { ErrorCode::NotStarShaped, vtkFFErrorCode::SurfaceError,
-    "The surface is not star-shaped: the kernel point does not see the inside of cell "
-    "{index}{of}; {count} such triangle(s) in all." },
-  { ErrorCode::NoKernel, vtkFFErrorCode::SurfaceError,
-    "The surface{of} is not star-shaped, or no point was found from which it is. If you know one, "
-    "turn on Use Kernel Point, and give it as Kernel Point." },
-  { ErrorCode::ConstraintPoint, vtkFFErrorCode::ConstraintError,
-    "Constraint {index} ends at point {count}{of}, which is not there or is left out." },
-  { ErrorCode::ConstraintsCross, vtkFFErrorCode::ConstraintError,
-    "Constraint {index} crosses constraint {count}, and there is no point where they do. Add one, "
-    "and end or begin both there." },
-  { ErrorCode::PolygonsDisagree, vtkFFErrorCode::ConstraintError,
-    "The polygons disagree about what is inside: what is on the left of a side is inside, and "
-    "holes run clockwise. Reverse the polygon of constraint {index}, which disagrees with that of "
-    "constraint {count}." },
-  { ErrorCode::NotConvex, vtkFFErrorCode::InputError,
-    "The domain is no convex polygon with finite corners, counter-clockwise." },
-  { ErrorCode::DuplicateSites, vtkFFErrorCode::InputError,
-    "The points {index} and {count}{of} are at one position, so their cells cannot have prescribed "
-    "areas." },
-  { ErrorCode::BadArea, vtkFFErrorCode::InputError,
-    "A prescribed area is not positive and finite: first at point {index}{of}, {count} such "
-    "point(s) in all." },
-  { ErrorCode::NoDevice, vtkFFErrorCode::DeviceError,
-    "The CUDA engine was asked for, but {text}. Set Engine to Automatic or CPU." },
-  { ErrorCode::DeviceMemory, vtkFFErrorCode::DeviceError,
-    "The CUDA device has not enough memory for this input: {count} bytes were refused. Set Engine "
-    "to Automatic or CPU." },
-  { ErrorCode::DeviceFailed, vtkFFErrorCode::DeviceError,
-    "The CUDA device failed: error {index} of the CUDA runtime. Set Engine to Automatic or CPU." },
-  { ErrorCode::Internal, vtkFFErrorCode::InternalError,
-    "An internal error: please report it, with the input." },
-};
+
+static_assert(static_cast<int>(FFErrorKind::Setting) + vtkErrorCode::UserError ==
+      vtkFFErrorCode::SettingError &&
+    static_cast<int>(FFErrorKind::Internal) + vtkErrorCode::UserError ==
+      vtkFFErrorCode::InternalError,
+  "the kinds are in the order of the codes");
 
 constexpr const char* noMemory = "There is not enough memory for this input.";
 
@@ -101,9 +42,9 @@ constexpr const char* noMemory = "There is not enough memory for this input.";
 FFFailure failureOf(const flipflop::Error& error, const std::string& of)
 {
   FFFailure failure;
-  const auto* const found = std::find_if(std::begin(errorTexts), std::end(errorTexts),
-    [&](const ErrorText& text) { return text.Code == error.code(); });
-  if (found == std::end(errorTexts))
+  const auto* const found = std::find_if(std::begin(FFErrorTexts), std::end(FFErrorTexts),
+    [&](const FFErrorText& text) { return text.Code == error.code(); });
+  if (found == std::end(FFErrorTexts))
   {
     failure.Say(error.what());
     return failure;
@@ -122,7 +63,7 @@ FFFailure failureOf(const flipflop::Error& error, const std::string& of)
       message.replace(begin, std::strlen(name), value);
     }
   }
-  failure.Say(message, found->Id);
+  failure.Say(message, static_cast<unsigned long>(found->Kind) + vtkErrorCode::UserError);
   return failure;
 }
 
