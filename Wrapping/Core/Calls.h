@@ -32,6 +32,13 @@ struct Settings
   int engine = 0;
   nanobind::object progress;
 
+  /// From so many points on a device is used, where the engine is chosen automatically.
+  std::int64_t cudaFrom = CudaPaysNever;
+  bool vBiased = true;
+
+  /// Of the last call: which engine it used, and why.
+  mutable EngineReport report;
+
   /// Where a device has the points and the weights, too; 0: nowhere.
   std::uintptr_t pointsMemory = 0;
   std::uintptr_t weightsMemory = 0;
@@ -42,6 +49,7 @@ struct Settings
     options.threads = this->threads;
     options.facets = this->polygons ? FacetMode::Polygons : FacetMode::Triangles;
     options.nonFinite = this->ignoreNonFinite ? NonFinitePolicy::Ignore : NonFinitePolicy::Error;
+    options.vBiased = this->vBiased;
     return options;
   }
 
@@ -56,6 +64,7 @@ struct Settings
   {
     EngineOptions chosen;
     chosen.choice = static_cast<EngineChoice>(this->engine);
+    chosen.cudaFrom = this->cudaFrom;
     return chosen;
   }
 };

@@ -22,9 +22,11 @@
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/optional.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -252,8 +254,9 @@ struct Joined
 /// The pieces, the constraint of each, how many are sides of polygons; the positions of the points
 /// that lines add, then of crossings; which of the lines' points the former are; the first
 /// constraint that crosses at each of the latter; and what heights need.
+/// @param split whether lines are split where they cross; if not, all pieces are whole
 nb::tuple joinedOf(const InputArray& points, const InputArray& linePoints, const EndsArray& ends,
-  std::int64_t polygonSides, const Settings& settings)
+  std::int64_t polygonSides, bool split, const Settings& settings)
 {
   const PointView sites = pointView(points, 2);
   const PointView others = pointView(linePoints, 2);
@@ -261,13 +264,14 @@ nb::tuple joinedOf(const InputArray& points, const InputArray& linePoints, const
   const Joined joined = settings.run(
     [&](const Options& options)
     {
-      Part joining(options, 0.0, 0.4);
+      Part joining(options, 0.0, split ? 0.4 : 1.0);
       Part splitting(options, 0.4, 1.0);
       Joined made;
       made.lines = std::make_shared<const JoinedLines>(
         joinLines(sites, others, constraints, joining.options()));
-      made.split = std::make_shared<const SplitConstraints>(
-        splitCrossings(made.lines->points(), made.lines->view(), splitting.options()));
+      made.split = std::make_shared<const SplitConstraints>(split
+          ? splitCrossings(made.lines->points(), made.lines->view(), splitting.options())
+          : SplitConstraints());
       return made;
     });
   const Buffer<double>& positions = joined.lines->positions;
@@ -281,25 +285,32 @@ nb::tuple joinedOf(const InputArray& points, const InputArray& linePoints, const
   {
     firsts[k] = joined.split->crossing[static_cast<std::size_t>(joined.split->offsets[k])];
   }
-  const std::size_t count = added.size() / 2, pieces = joined.split->constraintOf.size();
-  return nb::make_tuple(arrayOf(joined.split->ends.data(), { pieces, 2 }, joined.split),
-    arrayOf(joined.split->constraintOf, joined.split), joined.split->sides,
-    arrayOf(std::move(added), { count, 2 }), arrayOf(joined.lines->added, joined.lines),
-    arrayOf(std::move(firsts)), joined);
+  Buffer<std::int64_t> pieces = copyOf(split ? joined.split->ends : joined.lines->ends);
+  Buffer<std::int64_t> pieceOf = copyOf(joined.split->constraintOf);
+  if (!split)
+  {
+    pieceOf.allocate(pieces.size() / 2);
+    std::iota(pieceOf.begin(), pieceOf.end(), std::int64_t(0));
+  }
+  const std::size_t count = added.size() / 2, pieceCount = pieceOf.size();
+  return nb::make_tuple(arrayOf(std::move(pieces), { pieceCount, 2 }), arrayOf(std::move(pieceOf)),
+    split ? joined.split->sides : joined.lines->sides, arrayOf(std::move(added), { count, 2 }),
+    arrayOf(joined.lines->added, joined.lines), arrayOf(std::move(firsts)), joined);
 }
 
 /// For each line 1 if it is of a ring, -1 if it also runs against its first line; else 0. Polygons
 /// come after the lines.
-OutputArray<std::int8_t> closedOf(
-  const InputArray& points, const IdArray& offsets, std::int64_t polygons, const Settings& settings)
+/// @param dimensions in which points are compared
+OutputArray<std::int8_t> closedOf(const InputArray& points, const IdArray& offsets,
+  std::int64_t polygons, int dimensions, const Settings& settings)
 {
   LineView lines;
-  lines.points = pointView(points, 2);
+  lines.points = pointView(points, dimensions);
   lines.offsets = offsets.data();
   lines.polygons = polygons;
   lines.lines = static_cast<std::int64_t>(offsets.size()) - 1 - polygons;
   return arrayOf(
-    settings.run([&](const Options& options) { return closedLines(lines, 2, options); }));
+    settings.run([&](const Options& options) { return closedLines(lines, dimensions, options); }));
 }
 
 /// The heights of the points that were added, the lowest and the highest at each, and how many
@@ -334,6 +345,25 @@ nb::tuple complexOf(const InputArray& points, const std::optional<InputArray>& w
   return nb::make_tuple(arrayOf(std::move(found.cells)),
     arrayOf(idsOf(cells, found.edges), { edges, 2 }), arrayOf(std::move(found.edgeAlphas)),
     arrayOf(idsOf(cells, found.vertices)), arrayOf(std::move(found.vertexAlphas)));
+}
+
+/// Edges of points by their ids, as cells.
+Handle<Triangulation> edgesOf(const EndsArray& ends)
+{
+  const std::int64_t* const begin = ends.data();
+  const std::size_t size = 2 * ends.shape(0);
+  std::vector<std::int64_t> ids(begin, begin + size);
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  Triangulation edges;
+  edges.dimension = 1;
+  edges.cellSize = 2;
+  edges.pointIds.allocate(ids.size());
+  std::copy(ids.begin(), ids.end(), edges.pointIds.begin());
+  edges.connectivity.allocate(size);
+  std::transform(begin, begin + size, edges.connectivity.begin(),
+    [&](std::int64_t id) { return std::lower_bound(ids.begin(), ids.end(), id) - ids.begin(); });
+  return handleOf(std::move(edges));
 }
 
 /// Where each ring begins, and the ids of all.
@@ -416,6 +446,7 @@ void bindComplexes(nb::module_& module)
       }
       return handleOf(withCells(*triangulation.result, kept.data()));
     });
+  module.def("edges_of", &edgesOf);
   module.def("cell_boundary", &boundaryOf);
 }
 

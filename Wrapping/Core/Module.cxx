@@ -8,6 +8,7 @@
 #include "State.h"
 #include "Views.h"
 
+#include "../../Filters/FFErrorTexts.h"
 #include <flipflop/Batch.h>
 #include <flipflop/Convexify.h>
 #include <flipflop/Engines.h>
@@ -47,12 +48,8 @@ using Corners = nb::ndarray<const std::int64_t, nb::shape<-1, 3>, nb::c_contig, 
 Handle<Hull> hullOf(const InputArray& points, const Settings& settings)
 {
   const SpacePoints input(points);
-  return handleOf(settings.run(
-    [&](const Options& options)
-    {
-      EngineReport report;
-      return convexHull(input.view(), options, settings.engineOptions(), report);
-    }));
+  return handleOf(settings.run([&](const Options& options)
+    { return convexHull(input.view(), options, settings.engineOptions(), settings.report); }));
 }
 
 Handle<Triangulation> triangulationOf(
@@ -65,8 +62,8 @@ Handle<Triangulation> triangulationOf(
   return handleOf(settings.run(
     [&](const Options& options)
     {
-      EngineReport report;
-      return regularTriangulation(positions, weighted, options, settings.engineOptions(), report);
+      return regularTriangulation(
+        positions, weighted, options, settings.engineOptions(), settings.report);
     }));
 }
 
@@ -117,6 +114,17 @@ nb::tuple positionsInBestPlane(const InputArray& points, const Settings& setting
     });
   const std::size_t rows = positions.size() / 2;
   return nb::make_tuple(plane, arrayOf(std::move(positions), { rows, 2 }));
+}
+
+/// The positions of other points in a plane.
+OutputArray<double> positionsInThatPlane(
+  const FittedPlane& plane, const InputArray& points, const Settings& settings)
+{
+  const SpacePoints input(points);
+  Buffer<double> positions = settings.run(
+    [&](const Options& options) { return positionsInPlane(input.view(), plane, options); });
+  const std::size_t rows = positions.size() / 2;
+  return arrayOf(std::move(positions), { rows, 2 });
 }
 
 /// The positions in space of positions in a plane.
@@ -369,10 +377,21 @@ NB_MODULE(_core, module)
   nb::class_<Settings>(module, "Settings")
     .def(
       "__init__",
-      [](Settings* self, int threads, bool polygons, bool ignore, int engine, nb::object progress) {
-        new (self) Settings{ threads, polygons, ignore, engine, std::move(progress) };
+      [](Settings* self, int threads, bool polygons, bool ignore, int engine, nb::object progress)
+      {
+        new (self) Settings;
+        self->threads = threads;
+        self->polygons = polygons;
+        self->ignoreNonFinite = ignore;
+        self->engine = engine;
+        self->progress = std::move(progress);
       },
       "threads"_a, "polygons"_a, "ignore_non_finite"_a, "engine"_a, "progress"_a.none())
+    .def_rw("cuda_from", &Settings::cudaFrom)
+    .def_rw("v_biased", &Settings::vBiased)
+    .def_prop_ro(
+      "engine_used", [](const Settings& self) { return static_cast<int>(self.report.used); })
+    .def_prop_ro("engine_reason", [](const Settings& self) { return self.report.reason; })
     .def_rw("points_memory", &Settings::pointsMemory)
     .def_rw("weights_memory", &Settings::weightsMemory);
 
@@ -435,13 +454,20 @@ NB_MODULE(_core, module)
     "regular_triangulation", &triangulationOf, "points"_a, "weights"_a.none(), "settings"_a);
   module.def("convexify", &convexified, "points"_a, "triangles"_a, "kernel"_a.none(), "settings"_a);
   module.def("triangulate_polygons", &trianglesOf);
-  nb::class_<FittedPlane>(module, "FittedPlane").def("positions", &positionsInSpace);
+  nb::class_<FittedPlane>(module, "FittedPlane")
+    .def("positions", &positionsInSpace)
+    .def("projected", &positionsInThatPlane)
+    .def_prop_ro("axes",
+      [](const FittedPlane& self) { return nb::make_tuple(self.first, self.second); });
   module.def("to_best_fitting_plane", &positionsInBestPlane);
   module.def("to_xy_plane", &positionsByXY);
   module.def("height_below",
     [](const InputArray& points, const Handle<Triangulation>& triangulation)
     { return heightBelow(pointView(points, 3), *triangulation.result); });
   module.def("compute_weights", &weightsByRule);
+  module.def("triangulation_box",
+    [](const InputArray& points, const Handle<Triangulation>& triangulation)
+    { return powerDiagramBox(pointView(points, 2), *triangulation.result); });
   module.def("power_diagram", &diagramOf, "points"_a, "weights"_a.none(), "triangulation"_a,
     "domain"_a.none(), "settings"_a);
 
@@ -503,6 +529,19 @@ NB_MODULE(_core, module)
         copyFromDevice(copy.data(), deviceMemory(address), bytes);
       }
       return arrayOf(std::move(copy));
+    });
+  // Of an error's code: what filters say of it, and the kind.
+  module.def("require_memory", [](std::size_t bytes) { Buffer<char> some(bytes); });
+  module.def("filter_errors",
+    []
+    {
+      nb::list found;
+      for (const FFErrorText& text : FFErrorTexts)
+      {
+        found.append(
+          nb::make_tuple(static_cast<int>(text.Code), text.Text, static_cast<int>(text.Kind)));
+      }
+      return found;
     });
   module.def("cuda_status",
     []

@@ -5,6 +5,7 @@
 #include "Calls.h"
 #include "Results.h"
 #include "Sites.h"
+#include "State.h"
 #include "Views.h"
 
 #include <flipflop/Certificate.h>
@@ -23,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -75,11 +77,12 @@ auto interpolated(const Values& values, const InputArray& positions, std::int64_
 }
 
 /// Values at the pixels of an image: of shape (rows, columns, components).
-/// @param grid x and y of the first pixel, and from a column and from a row to the next
+/// @param grid  x and y of the pixel (0, 0), and from a column and from a row to the next
+/// @param first the column and the row of the first pixel
 template <class T>
 auto imageOf(const Sites& self, Interpolation method, const Values& values,
-  const std::array<double, 4>& grid, std::int64_t rows, std::int64_t columns, double fill,
-  const Settings& settings)
+  const std::array<double, 4>& grid, const std::array<std::int64_t, 2>& first, std::int64_t rows,
+  std::int64_t columns, double fill, const Settings& settings)
 {
   if (static_cast<std::int64_t>(values.shape(0)) != self.points)
   {
@@ -96,7 +99,8 @@ auto imageOf(const Sites& self, Interpolation method, const Values& values,
   settings.run(
     [&](const Options& options)
     {
-      const ImageGrid pixels{ { grid[0], grid[1] }, { grid[2], grid[3] }, { columns, rows }, {} };
+      const ImageGrid pixels{ { grid[0], grid[1] }, { grid[2], grid[3] }, { columns, rows },
+        { first[0], first[1] } };
       self.queries.interpolateImage(
         method, values.data(), components, pixels, ImageView(found.data()), fill, options);
       return 0;
@@ -195,6 +199,31 @@ void bindQueries(nb::module_& module)
       return arrayOf(std::move(planes), { rows, 4 });
     });
 
+  // The same of facets that are given by their corners.
+  module.def("planes_of_facets",
+    [](const InputArray& points, const IdArray& offsets, const IdArray& corners)
+    {
+      const SpacePoints input(points);
+      const auto copyOf = [](const IdArray& from, Buffer<std::int64_t>& to)
+      {
+        to.allocate(from.shape(0));
+        std::copy_n(from.data(), to.size(), to.begin());
+      };
+      Hull hull;
+      hull.dimension = 3;
+      hull.pointIds.allocate(static_cast<std::size_t>(input.view().count));
+      std::iota(hull.pointIds.begin(), hull.pointIds.end(), std::int64_t(0));
+      copyOf(corners, hull.connectivity);
+      copyOf(offsets, hull.offsets);
+      if (!isSound(hull))
+      {
+        throw nb::value_error("these are no facets of the points");
+      }
+      Buffer<double> planes = facetPlanes(input.view(), hull);
+      const std::size_t rows = planes.size() / 4;
+      return arrayOf(std::move(planes), { rows, 4 });
+    });
+
   module.def("hull_certificate",
     [](const InputArray& points, const Handle<Hull>& hull, const Settings& settings)
     {
@@ -242,17 +271,21 @@ void bindQueries(nb::module_& module)
         return interpolated(values, positions, self.points, settings,
           [&](auto... arguments) { self.queries.interpolateCloughTocher(arguments...); });
       })
-    .def("image",
+    .def(
+      "image",
       [](const Sites& self, const std::string& method, const Values& values,
         const std::array<double, 4>& grid, std::int64_t rows, std::int64_t columns, double fill,
-        bool isSingle, const Settings& settings)
+        bool isSingle, const Settings& settings, const std::array<std::int64_t, 2>& first)
       {
         const Interpolation by = method == "natural" ? Interpolation::Natural
           : method == "clough-tocher"                ? Interpolation::CloughTocher
                                                      : Interpolation::Linear;
-        return isSingle ? imageOf<float>(self, by, values, grid, rows, columns, fill, settings)
-                        : imageOf<double>(self, by, values, grid, rows, columns, fill, settings);
-      });
+        return isSingle
+          ? imageOf<float>(self, by, values, grid, first, rows, columns, fill, settings)
+          : imageOf<double>(self, by, values, grid, first, rows, columns, fill, settings);
+      },
+      "method"_a, "values"_a, "grid"_a, "rows"_a, "columns"_a, "fill"_a, "single"_a, "settings"_a,
+      "first"_a = std::array<std::int64_t, 2>{});
   module.def("triangulation_queries", &sitesOf, "points"_a, "weights"_a.none(), "triangulation"_a,
     "settings"_a);
 

@@ -25,15 +25,18 @@ namespace
 {
 
 /// By name what TerrainMesh has; ids for indices.
+/// @param isFraction the tolerance is in units of the range of heights
 nb::dict meshOf(const InputArray& points, const std::optional<InputArray>& heights,
-  const EndsArray& ends, double tolerance, std::int64_t maxVertices, const Settings& settings)
+  const EndsArray& ends, double tolerance, std::int64_t maxVertices, const Settings& settings,
+  bool isFraction)
 {
   const PointView positions = pointView(points, heights ? 2 : 3);
   const WeightView levels = weightView(heights);
   const ConstraintView constraints(ends.data(), static_cast<std::int64_t>(ends.shape(0)));
   TerrainMesh mesh = settings.run(
     [&](const Options& options) {
-      return terrainMesh(positions, levels, constraints, { tolerance, maxVertices }, options);
+      return terrainMesh(positions, levels, constraints, { tolerance, maxVertices, isFraction },
+        options);
     });
   const auto cells = static_cast<std::size_t>(mesh.cellCount());
   const std::size_t corners = cells > 0 ? mesh.connectivity.size() / cells : 0;
@@ -44,6 +47,7 @@ nb::dict meshOf(const InputArray& points, const std::optional<InputArray>& heigh
     arrayOf(idsOf(mesh, mesh.fixedEdges), { mesh.constraintOf.size(), std::size_t(2) });
   found["constraint_of"] = arrayOf(std::move(mesh.constraintOf));
   found["errors"] = arrayOf(std::move(mesh.errors));
+  found["tolerance"] = mesh.tolerance;
   found["greatest_error"] = mesh.greatestError;
   found["beyond"] = mesh.beyond;
   found["unreachable"] = mesh.unreachable;
@@ -57,7 +61,8 @@ nb::dict meshOf(const InputArray& points, const std::optional<InputArray>& heigh
 void bindTerrain(nb::module_& module)
 {
   module.def("terrain_mesh", &meshOf, "points"_a, "heights"_a.none(), "constraints"_a,
-    "tolerance"_a, "max_vertices"_a, "settings"_a);
+    "tolerance"_a, "max_vertices"_a, "settings"_a,
+    "is_fraction"_a = false);
 }
 
 }
