@@ -1,22 +1,26 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
+from typing import Any, Literal
+
 from . import arrays as arrays
 from . import pyvista as pyvista
-from .vtkFiltersFlipFlop import vtkFFAlgorithm as vtkFFAlgorithm
-from .vtkFiltersFlipFlop import vtkFFConvexifyFilter as vtkFFConvexifyFilter
-from .vtkFiltersFlipFlop import vtkFFHullAlgorithm as vtkFFHullAlgorithm
-from .vtkFiltersFlipFlop import vtkFFHullFilter as vtkFFHullFilter
-from .vtkFiltersFlipFlop import vtkFFPlanarAlgorithm as vtkFFPlanarAlgorithm
-from .vtkFiltersFlipFlop import vtkFFPointInterpolator2D as vtkFFPointInterpolator2D
-from .vtkFiltersFlipFlop import vtkFFPointsToImage as vtkFFPointsToImage
-from .vtkFiltersFlipFlop import vtkFFPowerDiagramFilter as vtkFFPowerDiagramFilter
-from .vtkFiltersFlipFlop import vtkFFQueryAlgorithm as vtkFFQueryAlgorithm
-from .vtkFiltersFlipFlop import vtkFFRegularTriangulationFilter as vtkFFRegularTriangulationFilter
-from .vtkFiltersFlipFlop import vtkFFSelectEnclosedPoints as vtkFFSelectEnclosedPoints
-from .vtkFiltersFlipFlop import vtkFFStreamedWriter as vtkFFStreamedWriter
-from .vtkFiltersFlipFlop import vtkFFTerrainMeshFilter as vtkFFTerrainMeshFilter
-from .vtkFiltersParallelFlipFlop import vtkPFFHullFilter as vtkPFFHullFilter
-from .vtkFiltersParallelFlipFlop import vtkPFFPowerDiagramFilter as vtkPFFPowerDiagramFilter
-from .vtkFiltersParallelFlipFlop import vtkPFFRegularTriangulationFilter as vtkPFFRegularTriangulationFilter
+from ._filters import vtkFFAlgorithm as vtkFFAlgorithm
+from ._filters import vtkFFConvexifyFilter as vtkFFConvexifyFilter
+from ._filters import vtkFFHullAlgorithm as vtkFFHullAlgorithm
+from ._filters import vtkFFHullFilter as vtkFFHullFilter
+from ._filters import vtkFFPlanarAlgorithm as vtkFFPlanarAlgorithm
+from ._filters import vtkFFPointInterpolator2D as vtkFFPointInterpolator2D
+from ._filters import vtkFFPointsToImage as vtkFFPointsToImage
+from ._filters import vtkFFPowerDiagramFilter as vtkFFPowerDiagramFilter
+from ._filters import vtkFFQueryAlgorithm as vtkFFQueryAlgorithm
+from ._filters import vtkFFRegularTriangulationFilter as vtkFFRegularTriangulationFilter
+from ._filters import vtkFFSelectEnclosedPoints as vtkFFSelectEnclosedPoints
+from ._filters import vtkFFTerrainMeshFilter as vtkFFTerrainMeshFilter
 
 __version__: str
+vtk_classes: Literal["compiled", "python"] | None
+# The compiled classes alone.
+vtkFFStreamedWriter: Any
+vtkPFFHullFilter: Any
+vtkPFFPowerDiagramFilter: Any
+vtkPFFRegularTriangulationFilter: Any

@@ -11,7 +11,7 @@ import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 
 class FlipFlopError(Exception):
@@ -41,11 +41,18 @@ class FlipFlopError(Exception):
     count: int
     result: Any
     errors: dict[int, FlipFlopError]
+    _where = ""  # the point in words, where it is not the index alone that tells it
+    _of_filters = ""  # what an algorithm of VTK's says instead
 
     def __init__(self, message: str, code: str = "", index: int = -1, count: int = 0) -> None:
         super().__init__(message)
         self.code, self.index, self.count = code, index, count
         self.result, self.errors = None, {}
+
+    def for_filters(self, sentence: str) -> Self:
+        """The error, for which an algorithm of VTK's says that."""
+        self._of_filters = sentence
+        return self
 
 
 class InputError(FlipFlopError, ValueError):
@@ -100,6 +107,11 @@ _CODES = (
 )
 # Of these, the count is a number of its own kind, which may be 0.
 _ANY_COUNT = {"weight_count", "constraint_point", "constraints_cross", "polygons_disagree", "duplicate_sites"}
+
+
+def name_of_code(code: int) -> str:
+    """The name of one of the engine's codes."""
+    return _CODES[code][0]
 
 
 def of_engine(code: int, text: str, index: int, count: int) -> FlipFlopError:

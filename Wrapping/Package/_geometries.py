@@ -171,7 +171,7 @@ def lines_from(
     offsets = np.concatenate([[0], np.cumsum(sizes)])
     if closed_are_rings:
         positions = np.ascontiguousarray(points[ids, :2], np.float64)
-        signs[~are_rings] = _core.closed_lines(positions, offsets, int(are_rings.sum()), QUIET)
+        signs[~are_rings] = _core.closed_lines(positions, offsets, int(are_rings.sum()), 2, QUIET)
     first = int((~are_rings).sum())
     lines, line_of = _core.constraints_along(offsets[: first + 1], ids, False)
     sides_of_rings, ring_of = _core.constraints_along(offsets[first:], ids, True)

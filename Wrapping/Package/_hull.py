@@ -279,7 +279,7 @@ class ConvexHull(Cells):
     @cached_property
     def _queries(self) -> Any:
         with unchanged():
-            return _core.hull_queries(self.points, self._triangles, QUIET)
+            return hull_queries(self.points, self._core, QUIET)
 
     @cached_property
     def _certificate(self) -> tuple[Ids, Floats]:
@@ -299,6 +299,11 @@ class ConvexHull(Cells):
             return np.full((1, self.ndim), np.nan)
         ids = self._core.vertices()
         return finite(self.points, ids)[ids].astype(np.float64)
+
+
+def hull_queries(points: NDArray[Any], core: Any, chosen: Any) -> Any:
+    """A hull of the engine's, ready for contains(), distance() and others."""
+    return _core.hull_queries(points, core.triangles(), chosen)
 
 
 def convex_hull(

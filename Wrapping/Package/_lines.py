@@ -167,7 +167,7 @@ def joined_triangulation(
         )
 
     arguments = array, given.points, given.ends, given.sides
-    pieces, piece_of, sides, added, line_points, crossed, joined = _core.join_lines(*arguments, part(0.0, 0.2))
+    pieces, piece_of, sides, added, line_points, crossed, joined = _core.join_lines(*arguments, True, part(0.0, 0.2))
     whole = np.zeros((len(array) + len(added), array.shape[1]))
     whole[: len(array)], whole[len(array) :, :2] = array, added
     constraints = _LineConstraints(given, pieces, piece_of, sides, by_direction)

@@ -12,8 +12,9 @@ from ._arguments import flag_of
 from ._constraints import PolygonRule
 from ._geometries import Degenerate
 from ._mesh_lines import lines_of_call
-from ._mesh_runs import Run, each_block
-from ._meshes import Block, data_of, is_tree
+from ._mesh_runs import Run
+from ._meshes import Block, is_tree
+from ._pyvista import data_of, each_block
 from ._results import Facets, NonFinite, Progress, Report
 
 
@@ -80,7 +81,7 @@ def constrained_triangulation(
         raise TypeError("lines are for one data set, and the mesh is a composite")
     given = lines_of_call(lines, flag_of("closed_lines_as_borders", closed_lines_as_borders), degenerate)
 
-    def triangulated(block: Block, report: Report) -> list[pv.PolyData]:
+    def triangulated(block: Block, report: Report) -> list[Any]:
         return [run.joined(block, lines, given, polygon_rule, report)]
 
     found: pv.PolyData = each_block(data, triangulated, 1, progress)[0]

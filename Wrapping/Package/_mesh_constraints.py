@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 
 from ._constraints import Constraints, PolygonRule
 from ._errors import InputError
-from ._meshes import Cloud, values_of
+from ._meshes import Cloud
 from ._results import Polygons
+from ._vtkmodules import values_of
 
 
 def constraints_of_call(value: Any, rule: PolygonRule, composite: bool, weighted: bool) -> Constraints | None:

@@ -17,8 +17,10 @@ from ._errors import InputError
 from ._image import METHODS, Method, grid_of, image_of
 from ._input import values_of as numbers_of
 from ._mesh_runs import split
-from ._meshes import Cloud, Part, blocks_of, data_of, is_tree, values_of
+from ._meshes import Cloud, Part, blocks_of, is_tree
+from ._pyvista import data_of
 from ._results import QUIET, NonFinite, Progress, ignores, report_of
+from ._vtkmodules import values_of
 
 
 def to_image(

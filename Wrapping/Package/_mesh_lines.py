@@ -7,15 +7,17 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import pyvista as pv
 from numpy.typing import NDArray
 
+from . import _vtkmodules as vtk
 from ._errors import InputError
 from ._geometries import Chain, Degenerate, Degenerates, Lines, lines_from, lines_of
 from ._lines import JoinedTriangulation
+from ._mesh_added import shares_of, with_crossings, with_points
 from ._mesh_constraints import chains_of
-from ._meshes import Cloud, set_cells, values_of
+from ._meshes import Cloud, set_cells
 from ._results import Ids
+from ._vtkmodules import values_of
 
 
 def lines_of_call(values: Any, closed_are_rings: bool, degenerate: Degenerate = "error") -> Lines:
@@ -71,7 +73,7 @@ def _require_points(points: NDArray[Any], chains: list[Ids], first: int) -> None
             raise InputError(sentence, "non_finite", number, len(wrong))
 
 
-def mesh_of(cloud: Cloud, found: JoinedTriangulation, lines: Any, pass_point_data: bool) -> pv.PolyData:
+def mesh_of(cloud: Cloud, found: JoinedTriangulation, lines: Any, pass_point_data: bool) -> Any:
     """The triangulation as a mesh, with the points' data, the lines' and marks."""
     core = found._core
     made = points_of_mesh(cloud, found, core.vertices(), lines, pass_point_data)
@@ -81,61 +83,31 @@ def mesh_of(cloud: Cloud, found: JoinedTriangulation, lines: Any, pass_point_dat
 
 def points_of_mesh(
     cloud: Cloud, found: JoinedTriangulation, vertices: Ids, lines: Any, pass_point_data: bool
-) -> pv.PolyData:
+) -> Any:
     """The same without cells, of these points alone: all that were added, or none of them."""
     given = len(cloud.array)
     made = cloud.mesh(cloud.ids(vertices[vertices < given]), pass_point_data)
     new = vertices[vertices >= given]
     if len(new):
-        made = _with_added(made, found, vertices, lines, given)
-    made.point_data["PointOrigin"] = found.point_origin[vertices]
+        made = _with_added(made, found, vertices, lines)
+    made.GetPointData().AddArray(vtk.array_of(found.point_origin[vertices], "PointOrigin"))
     if found.height_range is not None:
-        made.point_data["HeightRange"] = found.height_range[vertices]
+        made.GetPointData().AddArray(vtk.array_of(found.height_range[vertices], "HeightRange"))
     return made
 
 
-def _with_added(base: pv.PolyData, found: JoinedTriangulation, vertices: Ids, lines: Any, given: int) -> pv.PolyData:
-    """The mesh with the added ones of these points, too. Where lines cross, data is linear along the first."""
-    new = vertices[vertices >= given]
-    positions = found.points[new]
-    if positions.shape[1] == 2:
-        positions = np.column_stack([positions, np.zeros(len(new))])
-    made = pv.PolyData()
-    points = np.concatenate([np.asarray(base.points, np.float64), positions])
-    made.SetPoints(pv.vtk_points(points, deep=True, force_float=False))
-    own = pv.wrap(lines).point_data if hasattr(lines, "IsA") else {}
-    shares = _shares(found)
-    crossed = np.searchsorted(vertices, found._crossed)
-    for name in [name for name in base.point_data.keys() if name != "vtkOriginalPointIds"]:
-        old = np.asarray(base.point_data[name])
-        added = np.zeros((len(new), *old.shape[1:]), old.dtype)
-        if old.dtype.kind in "fc":
-            added += np.nan
-        if name in own and own[name].shape[1:] == old.shape[1:]:
-            added[: len(found._line_points)] = own[name][found._line_points]
-        whole = np.concatenate([old, added])
-        if len(crossed):
-            share, first, last = shares.reshape(-1, *[1] * (old.ndim - 1)), whole[crossed[:, 0]], whole[crossed[:, 1]]
-            if old.dtype.kind in "biufc":
-                between = (1 - share) * first + share * last
-                whole[-len(crossed) :] = np.rint(between) if old.dtype.kind in "biu" else between
-            else:
-                whole[-len(crossed) :] = np.where(share < 0.5, first, last)
-        made.point_data.set_array(whole, name)
-    made.point_data.active_scalars_name = base.point_data.active_scalars_name
-    ids = pv.numpy_to_idarr(np.concatenate([base["vtkOriginalPointIds"], np.full(len(new), -1)]), deep=True)
-    ids.SetName("vtkOriginalPointIds")
-    made.GetPointData().AddArray(ids)
-    return made
-
-
-def _shares(found: JoinedTriangulation) -> NDArray[np.float64]:
-    """How far each crossing is on the way along the first line there, from 0 to 1; rounded."""
-    if not len(found._crossed):
-        return np.empty(0)
-    at = 0.5 * found.points[-len(found._crossed) :, :2]
-    a, b = (0.5 * found.points[ends, :2] for ends in found._crossed.T)
-    axis = (np.abs(b - a)[:, 0] < np.abs(b - a)[:, 1]).astype(int)
-    rows = np.arange(len(axis))
-    shares: NDArray[np.float64] = np.clip((at - a)[rows, axis] / (b - a)[rows, axis], 0.0, 1.0)
-    return shares
+def _with_added(given: Any, found: JoinedTriangulation, vertices: Ids, lines: Any) -> Any:
+    """The mesh with the points that were added, the last ones of these."""
+    points = found.points
+    if points.shape[1] == 2:
+        points = np.column_stack([points, np.zeros(len(points))])
+    rows, crossed = found._line_points, found._crossed
+    first = len(points) - len(crossed)  # that is a crossing
+    if len(rows):
+        mesh = lines if hasattr(lines, "IsA") else None
+        given = with_points(given, vtk.points_of(points[first - len(rows) : first]), mesh, rows)
+    if len(crossed):
+        a, b = (points[ids, :2] for ids in crossed.T)
+        shares = shares_of(points[first:, :2], a, b)
+        given = with_crossings(given, points[first:], np.searchsorted(vertices, crossed), shares)
+    return given

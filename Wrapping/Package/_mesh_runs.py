@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the functions for PyVista do with a mesh once their arguments are read: the engine's runs, block by block."""
+"""What functions and algorithms do with a mesh once their arguments are read: the engine's runs, block by block."""
 
 from __future__ import annotations
 
@@ -8,31 +8,48 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-import pyvista as pv
 from numpy.typing import NDArray
 
 from . import _core
+from . import _vtkmodules as vtk
 from ._arguments import Weights, choice_of, flag_of, threads_of
 from ._constraints import Constraints, PolygonRule
 from ._domain import Domain
 from ._errors import AbortedError, FlipFlopError, InputError
 from ._geometries import Lines
 from ._lines import JoinedTriangulation, joined_triangulation
+from ._mesh_cells import Plane, PlaneCells
 from ._mesh_constraints import CloudConstraints
 from ._mesh_lines import mesh_of, points_of_mesh
+from ._mesh_terrain import meshes_of_terrain
 from ._meshes import LEAVES, Block, Cloud, blocks_of, composite_of, is_tree, pass_field_data, set_cells
 from ._projection import Projection
 from ._results import ENGINES, QUIET, Ids, Progress, Report, report_of, stretch
-from ._surfaces import by_cell, surface_of
+from ._surfaces import HULL_OF_POINTS, by_cell, surface_of
 from ._terrain import mesh_with_lines
 
-Output = pv.PolyData | pv.MultiBlock | pv.PartitionedDataSet
+Output = Any  # a vtkPolyData, or a composite of such
 # So many blocks at fault are named at most.
 _MOST_NAMED = 8
 
 
 class Run:
-    """The choices of a call, and what it makes of one block."""
+    """The choices of a call, and what it makes of one block.
+
+    Attributes
+    ----------
+    core : object
+        the cells that the engine made last
+    pass_data : bool
+        whether points keep their data
+    v_biased : bool
+    cuda_from : int, or None
+        what arrays and PyVista have no arguments for
+    """
+
+    core: Any = None
+    v_biased = True
+    cuda_from: int | None = None
 
     def __init__(
         self, facets: str, threads: int, non_finite: str, engine: str, skip_ghosts: bool, pass_data: bool
@@ -42,24 +59,34 @@ class Run:
         self._engine = ENGINES[choice_of("engine", engine, tuple(ENGINES))]
         self._threads = threads_of(threads)
         self._skip_ghosts = flag_of("skip_ghost_points", skip_ghosts)
-        self._pass_data = flag_of("pass_point_data", pass_data)
+        self.pass_data = flag_of("pass_point_data", pass_data)
+        self._reason = ""
 
-    def hull(self, blocks: list[Block], report: Report, with_index: bool = False) -> pv.PolyData:
-        """The hull of all these blocks; on request with the block of each of its points."""
+    @property
+    def engine(self) -> tuple[int, str]:
+        """The engine that was used last, and why."""
+        if self._reason:
+            return 1, "the CPU engine was asked for" if self._engine == ENGINES["cpu"] else self._reason
+        return self._last.engine_used, self._last.engine_reason
+
+    def use_cpu(self, reason: str) -> None:
+        """The work is the CPU engine's, for this reason."""
+        self._reason = reason
+
+    def hull(self, blocks: list[Block], report: Report) -> Any:
+        """The hull of all these blocks."""
         cloud = Cloud(blocks, self._skip_ghosts, self._ignore)
-        core = cloud.engine(_core.convex_hull, cloud.array, self._settings(cloud, report))
-        hull = self._cells_of(cloud, core)
-        if with_index:
-            hull.point_data.set_array(cloud.block_index(cloud.ids(core.vertices())), "BlockIndex")
-        return hull
+        core = cloud.engine(_core.convex_hull, cloud.array, self.settings(cloud, report))
+        return self.cells_of(cloud, core)
 
-    def convexified(self, block: Block, kernel: tuple[float, ...] | None, report: Report) -> pv.PolyData:
+    def convexified(self, block: Block, kernel: tuple[float, ...] | None, report: Report) -> Any:
         part = block.checked().part
         if part is not None and block.count and part.mesh.GetNumberOfCells() == 0:
             of = f" of {block.name}" if block.name else ""
-            raise InputError(f"the surface{of} has no cells, but {block.count} point(s)", "bad_argument")
+            sentence = f"the surface{of} has no cells, but {block.count} point(s)"
+            raise InputError(sentence, "bad_argument").for_filters(f"{sentence}. {HULL_OF_POINTS}")
         cloud = Cloud([block], False, False)
-        settings = self._settings(cloud, report)
+        settings = self.settings(cloud, report)
         starts, corners, cell_of = surface_of(part, block.name)
         triangles = corners
         if cell_of is not None:
@@ -68,7 +95,7 @@ class Run:
             cell_of = cell_of[polygon_of]
         flip = by_cell(_core.convexify, cell_of)
         core = cloud.engine(flip, cloud.array, triangles.reshape(-1, 3), kernel, settings)
-        return self._cells_of(cloud, core)
+        return self.cells_of(cloud, core)
 
     def triangulation(
         self,
@@ -80,28 +107,28 @@ class Run:
         limit: float | None,
         report: Report,
         hidden: bool,
-    ) -> list[pv.PolyData]:
-        cloud = Cloud([block], self._skip_ghosts, self._ignore)
-        weight_array = cloud.weights(weights, self._ignore)
-        settings = self._settings(cloud, report)
-        positions = projection.to_plane(cloud.array, settings)
+    ) -> list[Any]:
+        plane = self.plane(block, weights, projection, report)
         if constraints is None:
-            core = cloud.engine(_core.regular_triangulation, positions, weight_array, settings)
+            cells = plane.triangulated()
         else:
-            given = CloudConstraints(constraints, cloud, projection.is_xy)
-            core = self._constrained(cloud, positions, given, settings)
-        within = None
-        if alpha is not None:
-            within = cloud.engine(_core.alpha_complex, positions, weight_array, core, alpha, QUIET)[0].view(np.bool_)
-        if limit is not None:
-            short = cloud.engine(_core.cells_within_edge_length, positions, core, limit, QUIET).view(np.bool_)
-            within = short if within is None else within & short
-        found = [self._cells_of(cloud, core, within)]
+            given = CloudConstraints(constraints, plane.cloud, projection.is_xy)
+            core = self._constrained(plane.cloud, plane.positions, given, plane.settings)
+            cells = PlaneCells(plane.cloud, plane.positions, None, core)
+        cells.drop(alpha, limit)
+        found = [self.cells_of(plane.cloud, cells.core)]
         if hidden:
-            ids = cloud.ids(core.hidden())
-            found.append(cloud.mesh(ids, self._pass_data))
-            set_cells(found[1], 0, 1, None, np.arange(len(ids)))
+            found.append(cells.hidden(self.pass_data))
         return found
+
+    def plane(
+        self, block: Block, weights: Weights, projection: Projection, report: Report, noun: str = "weight"
+    ) -> Plane:
+        """The points in the plane, with their weights."""
+        cloud = Cloud([block], self._skip_ghosts, self._ignore)
+        weight_array = cloud.weights(weights, self._ignore, noun)
+        settings = self.settings(cloud, report)
+        return Plane(cloud, projection.to_plane(cloud.array, settings), weight_array, projection, settings)
 
     def _constrained(self, cloud: Cloud, positions: NDArray[Any], given: CloudConstraints, settings: Any) -> Any:
         if self._engine == ENGINES["cuda"]:
@@ -113,15 +140,15 @@ class Run:
 
     def joined(
         self, block: Block, lines: Any, given: Lines, polygon_rule: PolygonRule, report: Report
-    ) -> pv.PolyData:
+    ) -> Any:
         """With lines that have points of their own, by x and y."""
         cloud = Cloud([block], self._skip_ghosts, self._ignore)
 
         def part(begin: float, end: float) -> Any:
-            return self._settings(cloud, stretch(report, begin, end))
+            return self.settings(cloud, stretch(report, begin, end))
 
         found = cloud.engine(joined_triangulation, cloud.array, given, polygon_rule, cloud.left_out, part)
-        return mesh_of(cloud, found, lines, self._pass_data)
+        return mesh_of(cloud, found, lines, self.pass_data)
 
     def terrain(
         self,
@@ -132,7 +159,7 @@ class Run:
         limits: tuple[float, int],
         report: Report,
         rest: bool,
-    ) -> list[pv.PolyData]:
+    ) -> list[Any]:
         cloud = Cloud([block], self._skip_ghosts, self._ignore)
         levels = cloud.weights(heights, self._ignore, "height")
         if levels is None and cloud.array.shape[1] == 2:
@@ -140,72 +167,67 @@ class Run:
         joined: JoinedTriangulation | None = None
         if lines is None:
             given = CloudConstraints(constraints or Constraints(None, None), cloud, True)
-            arguments = cloud.array, levels, given.ends, *limits, self._settings(cloud, report)
+            arguments = cloud.array, levels, given.ends, *limits, self.settings(cloud, report)
             found = cloud.engine(given.engine, _core.terrain_mesh, *arguments)
         else:
 
             def part(begin: float, end: float) -> Any:
-                return self._settings(cloud, stretch(report, begin, end))
+                return self.settings(cloud, stretch(report, begin, end))
 
             mesh = cloud.engine(mesh_with_lines, cloud.array, levels, lines[1], limits, cloud.left_out, part)
             found, joined = vars(mesh), mesh.joined
 
-        def points_of(rows: Ids) -> pv.PolyData:
+        def points_of(rows: Ids) -> Any:
             if joined is None or lines is None:
-                return cloud.mesh(cloud.ids(rows), self._pass_data)
-            return points_of_mesh(cloud, joined, rows, lines[0], self._pass_data)
+                return cloud.mesh(cloud.ids(rows), self.pass_data)
+            return points_of_mesh(cloud, joined, rows, lines[0], self.pass_data)
 
-        vertices, simplices = found["vertices"], found["simplices"]
-        made = [points_of(vertices)]
-        set_cells(made[0], found["dimension"], simplices.shape[1], None, np.searchsorted(vertices, simplices.ravel()))
-        if rest:
-            left = ~np.isnan(found["errors"])
-            left[vertices] = False
-            rows = np.flatnonzero(left)
-            made.append(points_of(rows))
-            set_cells(made[1], 0, 1, None, np.arange(len(rows)))
-            made[1].point_data["TerrainError"] = found["errors"][rows]
-        return made
+        return meshes_of_terrain(found, points_of, rest)
 
     def diagram(
         self, block: Block, weights: Weights, projection: Projection, domain: Domain, report: Report
-    ) -> pv.PolyData:
-        cloud = Cloud([block], self._skip_ghosts, self._ignore)
-        weight_array = cloud.weights(weights, self._ignore)
+    ) -> Any:
         first, second = split(report, 0.4)
-        settings = self._settings(cloud, first)
-        positions = projection.to_plane(cloud.array, settings)
-        core = cloud.engine(_core.regular_triangulation, positions, weight_array, settings)
-        within = None if core.dimension < 0 else domain.array
-        arguments = positions, weight_array, core, within, self._settings(cloud, second)
+        plane = self.plane(block, weights, projection, first)
+        return self.mesh_of_power_cells(plane, self.power_cells(plane, domain, second))
+
+    def power_cells(self, plane: Plane, domain: Domain, report: Report) -> Any:
+        cloud, core = plane.cloud, plane.triangulated().core
+        self.core = core
+        within, last = None if core.dimension < 0 else domain.array, self._last
+        arguments = plane.positions, plane.weights, core, within, self.settings(cloud, report)
+        self._last = last  # that of the triangulation tells the engine
         with domain.named():
             found = cloud.engine(_core.power_diagram, *arguments)
-        projection.lie_beneath(cloud.array, core)
-        made = pv.PolyData()
-        made.SetPoints(pv.vtk_points(projection.to_space(found.vertices()), deep=False, force_float=False))
+        plane.projection.lie_beneath(cloud.array, core)
+        return found
+
+    def mesh_of_power_cells(self, plane: Plane, found: Any) -> Any:
+        made = vtk.vtkPolyData()
+        made.SetPoints(vtk.points_of(plane.projection.to_space(found.vertices()), False))
         set_cells(made, 2, 0, found.offsets(), found.connectivity())
-        cloud.pass_data(cloud.ids(found.sites()), made, "cell", self._pass_data)
+        plane.cloud.pass_data(plane.cloud.ids(found.sites()), made, "cell", self.pass_data)
         return made
 
-    def _settings(self, cloud: Cloud, report: Report) -> Any:
-        return _core.Settings(self._threads, self._polygons, cloud.left_out, self._engine, report)
+    def settings(self, cloud: Cloud, report: Report) -> Any:
+        self._last = _core.Settings(self._threads, self._polygons, cloud.left_out, self._engine, report)
+        self._last.v_biased = self.v_biased
+        if self.cuda_from is not None:
+            self._last.cuda_from = self.cuda_from
+        return self._last
 
-    def _cells_of(self, cloud: Cloud, core: Any, kept: NDArray[np.bool_] | None = None) -> pv.PolyData:
-        """A mesh of the points and the cells, or of those cells that are kept."""
-        made = cloud.mesh(cloud.ids(core.vertices()), self._pass_data)
+    def cells_of(self, cloud: Cloud, core: Any) -> Any:
+        """A mesh of the points and the cells."""
+        self.core = core
+        made = cloud.mesh(cloud.ids(core.vertices()), self.pass_data)
         size = core.cell_size
-        offsets, corners = None if size else core.offsets(), core.connectivity()
-        if kept is not None:
-            sizes = np.full(len(kept), size) if offsets is None else np.diff(offsets)
-            corners = corners[np.repeat(kept, sizes)]
-            offsets = None if offsets is None else np.concatenate([[0], np.cumsum(sizes[kept])])
-        set_cells(made, core.dimension, size, offsets, corners)
+        set_cells(made, core.dimension, size, None if size else core.offsets(), core.connectivity())
         return made
 
 
 def each_block(
     data: Any,
-    make: Callable[[Block, Report], list[pv.PolyData]],
+    make: Callable[[Block, Report], list[Any]],
     count: int,
     progress: Progress,
     leaves: tuple[str, ...] = LEAVES,
@@ -214,7 +236,7 @@ def each_block(
 
     If some blocks are at fault, the error of the first one is raised in the end: see errors_of().
     """
-    made: list[list[pv.PolyData | None]] = []
+    made: list[list[Any]] = []
     errors: dict[int, FlipFlopError] = {}
     with report_of(progress) as report:
         blocks = blocks_of(data, leaves)

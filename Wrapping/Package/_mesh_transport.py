@@ -8,12 +8,12 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-import pyvista as pv
 from numpy.typing import ArrayLike, NDArray
 
+from . import _vtkmodules as vtk
 from ._arguments import Weights, flag_of, threads_of
-from ._mesh_runs import Output, each_block
-from ._meshes import Block, Cloud, data_of, is_tree, set_cells
+from ._meshes import Block, Cloud, is_tree, set_cells
+from ._pyvista import Output, data_of, each_block
 from ._results import Progress, Report
 from ._transport import CentroidalCells, PrescribedAreas
 from ._transport import centroidal_cells as cells_of_arrays
@@ -68,7 +68,7 @@ def centroidal_cells(
         domain=domain, bounds=bounds, iterations=iterations, tolerance=tolerance, threads=threads_of(threads)
     )
 
-    def add_site(found: CentroidalCells, cells: pv.PolyData, cloud: Cloud) -> None:
+    def add_site(found: CentroidalCells, cells: Any, cloud: Cloud) -> None:
         _add(cells.GetCellData(), "Site", _in_space(cloud, found.sites[found.diagram.sites]))
 
     return sites.cells(mesh, cells_of_arrays, settings, add_site, progress)
@@ -115,7 +115,7 @@ def prescribed_areas(
         domain=domain, bounds=bounds, iterations=iterations, tolerance=tolerance, threads=threads_of(threads)
     )
 
-    def add_weight(found: PrescribedAreas, cells: pv.PolyData, _: Cloud) -> None:
+    def add_weight(found: PrescribedAreas, cells: Any, _: Cloud) -> None:
         _add(cells.GetCellData(), "Weight", found.weights[found.diagram.sites])
 
     return sites.cells(mesh, areas_of_arrays, settings, add_weight, progress)
@@ -135,7 +135,7 @@ class _Sites:
         mesh: Any,
         call: Callable[..., Any],
         settings: dict[str, Any],
-        add: Callable[[Any, pv.PolyData, Cloud], None],
+        add: Callable[[Any, Any, Cloud], None],
         progress: Progress,
     ) -> Output:
         """The cells that call() of arrays finds for each block, with one more array that add() adds."""
@@ -143,7 +143,7 @@ class _Sites:
         if self._numbers is not None and not isinstance(self._numbers, str) and is_tree(data):
             raise TypeError(f"the {self._name} of a composite are the name of a point array")
 
-        def made(block: Block, report: Report) -> list[pv.PolyData]:
+        def made(block: Block, report: Report) -> list[Any]:
             cloud = Cloud([block], self._skip_ghosts, False)
             numbers = cloud.weights(Weights(self._numbers, False, 1.0), False)
             found = cloud.engine(lambda: call(cloud.array, numbers, progress=report, **settings))
@@ -154,10 +154,10 @@ class _Sites:
         return each_block(data, made, 1, progress)[0]
 
 
-def _cells_of(cloud: Cloud, found: CentroidalCells | PrescribedAreas, pass_data: bool) -> pv.PolyData:
+def _cells_of(cloud: Cloud, found: CentroidalCells | PrescribedAreas, pass_data: bool) -> Any:
     diagram = found.diagram
-    made = pv.PolyData()
-    made.SetPoints(pv.vtk_points(_in_space(cloud, diagram.vertices), deep=False, force_float=False))
+    made = vtk.vtkPolyData()
+    made.SetPoints(vtk.points_of(_in_space(cloud, diagram.vertices), False))
     set_cells(made, 2, 0, np.array(diagram.cells.offsets), np.array(diagram.cells.connectivity))
     cloud.pass_data(cloud.ids(diagram.sites), made, "cell", pass_data)
     _add(made.GetCellData(), "Area", found.areas[diagram.sites])
@@ -174,5 +174,4 @@ def _in_space(cloud: Cloud, positions: NDArray[Any]) -> NDArray[np.float64]:
 
 
 def _add(attributes: Any, name: str, values: NDArray[Any]) -> None:
-    """As an array of VTK's attributes; also of no cells, which PyVista's own way refuses, and which is slower."""
-    attributes.AddArray(pv.convert_array(np.ascontiguousarray(values), name=name, deep=True))
+    attributes.AddArray(vtk.array_of(values, name))

@@ -1,31 +1,24 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""PyVista's meshes as arrays that the engine reads, and its results as meshes.
-
-No VTK is imported: what PyVista and the mesh itself offer is enough. So it is whatever VTK PyVista runs on.
-"""
+"""VTK's data sets as arrays that the engine reads, and its results as data sets."""
 
 from __future__ import annotations
 
-import inspect
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-import pyvista as pv
 from numpy.typing import NDArray
 
+from . import _vtkmodules as vtk
 from ._arguments import Weights
-from ._errors import FlipFlopError, InputError
-from ._input import column_of, either_excluded, is_array_like, points_of, refuse_geometry, rows_of, weights_of
+from ._errors import FlipFlopError, InputError, at_points
+from ._input import column_of, either_excluded, points_of, rows_of, weights_of
 from ._results import Ids
+from ._vtkmodules import values_of
 
-_OBJECT = next(kind for kind in pv.PolyData.__mro__ if kind.__name__ == "vtkObjectBase")
-_VTK = next(kind for kind in pv.PolyData.__mro__ if kind.__name__ == "vtkPolyData").__module__.split(".")[0]
-# PyVista 0.48 and later look at all arrays' lengths; what counts is looked at here, too.
-_UNCHECKED: dict[str, Any] = {"validate": False} if "validate" in inspect.signature(pv.wrap).parameters else {}
 # What may be a leaf of a composite, and a mesh by itself.
 LEAVES = ("vtkPointSet", "vtkImageData", "vtkRectilinearGrid")
 _MOST_POINTS = 2**32 - 2
@@ -65,42 +58,14 @@ class Block:
         return self
 
 
-def values_of(array: Any) -> Any:
-    """A VTK array's numbers: its own memory, or a copy of what is stored component by component."""
-    if not array.HasStandardMemoryLayout() and hasattr(array, "ToAOSDataArray"):
-        array = array.ToAOSDataArray()  # cvista 9.7 does not read the other one on every Python
-    return np.asarray(pv.convert_array(array))
-
-
-def data_of(mesh: Any) -> Any:
-    """The mesh as a data object, PyVista's where it has a class for it; or numbers that are still to be looked at."""
-    if isinstance(mesh, np.ndarray):
-        return mesh
-    if hasattr(mesh, "IsA"):
-        if not isinstance(mesh, _OBJECT):
-            raise TypeError(
-                f"{type(mesh).__name__} is of another VTK, the module {type(mesh).__module__}, than PyVista "
-                f"{pv.__version__}, which runs on {_VTK}: the one cannot use the other's data"
-            )
-        if mesh.IsA("vtkPoints"):
-            mesh = mesh.GetData()
-        if mesh.IsA("vtkDataArray"):
-            return values_of(mesh)
-    elif is_array_like(mesh):
-        return mesh
-    refuse_geometry(mesh, "points")
-    try:
-        data = pv.wrap(mesh, **_UNCHECKED)
-    except (NotImplementedError, TypeError):
-        data = mesh  # PyVista has no class for some composites
-    if not hasattr(data, "IsA") or not any(map(data.IsA, (*LEAVES, "vtkDataObjectTree"))):
-        raise TypeError(f"{type(mesh).__name__} has no points to take")
-    return data
-
-
 def is_tree(data: Any) -> bool:
     """Whether it is a composite."""
     return not isinstance(data, np.ndarray) and hasattr(data, "IsA") and bool(data.IsA("vtkDataObjectTree"))
+
+
+def block_of(data: Any, name: str) -> Block:
+    """The points of a data set, which errors call by that name."""
+    return Block(_part_of(data, name, LEAVES), name)
 
 
 def blocks_of(data: Any, leaves: Sequence[str] = LEAVES) -> list[Block | None]:
@@ -122,15 +87,12 @@ def blocks_of(data: Any, leaves: Sequence[str] = LEAVES) -> list[Block | None]:
 
 def composite_of(data: Any, meshes: Sequence[Any]) -> Any:
     """A composite of the same structure and names, with a mesh, or None, for each of blocks_of()."""
-    kind = type(data) if isinstance(data, pv.DataObject) else data.NewInstance
-    made = kind()
+    made = data.NewInstance()
     made.CopyStructure(data)
     pass_field_data(data, made)
     for (nodes, _), mesh in zip(_nodes(data), meshes):
         if mesh is not None:
             made.SetDataSet(nodes, mesh)
-    if isinstance(made, pv.MultiBlock):
-        made.wrap_nested()
     return made
 
 
@@ -142,6 +104,11 @@ def _nodes(tree: Any) -> Iterator[tuple[Any, Any]]:
     while not nodes.IsDoneWithTraversal():
         yield nodes, nodes.GetCurrentDataObject()
         nodes.GoToNextItem()
+
+
+def leaves_of(data: Any) -> list[Any]:
+    """The leaves of a composite, None where one is missing; or the data set."""
+    return [leaf for _, leaf in _nodes(data)] if is_tree(data) else [data]
 
 
 def _name_of_block(nodes: Any, tree: Any) -> str:
@@ -187,7 +154,7 @@ def _image_points(image: Any) -> NDArray[np.float64]:
         return np.empty((0, 3))
     low = image.GetExtent()[::2]
     i, j, k = (np.arange(first, first + size, dtype=float) for first, size in zip(low, image.GetDimensions()))
-    matrix = pv.array_from_vtkmatrix(image.GetIndexToPhysicalMatrix())
+    matrix = vtk.rows_of_matrix(image.GetIndexToPhysicalMatrix())
     points = np.empty((len(k), len(j), len(i), 3))
     for axis in range(3):
         x, y, z, origin = matrix[axis]
@@ -205,7 +172,13 @@ def _grid_points(grid: Any) -> NDArray[Any]:
         array = getattr(grid, f"Get{name}Coordinates")()
         values = np.empty(0) if array is None else values_of(array)
         if values.ndim != 1 or len(values) < size:
-            raise InputError(f"a grid has {values.shape} {name.lower()} coordinates and needs {size}", "bad_argument")
+            found = 0 if array is None else array.GetNumberOfTuples()
+            components = 0 if array is None else array.GetNumberOfComponents()
+            raise InputError(
+                f"the vtkRectilinearGrid has {found} {name.lower()} coordinate(s) of {components} component(s) and needs "
+                f"{size} of 1",
+                "bad_argument",
+            )
         axes.append(values[:size])
     floats = all(values.dtype == np.float32 for values in axes)
     x, y, z = (weights_of(values, True)[0] for values in axes)  # exactly
@@ -223,10 +196,13 @@ class Cloud:
         of n by 3, or n by 2, without ghosts
     left_out : bool
         whether the engine leaves out what is not finite
+    names : ndarray, or None
+        what meshes have for the points' ids, if these are not the ids
     """
 
     array: NDArray[Any]
     left_out: bool
+    names: Ids | None = None
 
     def __init__(self, blocks: Sequence[Block], skip_ghost_points: bool, ignore: bool) -> None:
         self.blocks = blocks
@@ -236,7 +212,7 @@ class Cloud:
         try:
             self._gather(ignore)
         except InputError as error:
-            raise self._translated(error, None) from None
+            raise self._translated(error, self._kept) from None
 
     @property
     def count(self) -> int:
@@ -259,56 +235,73 @@ class Cloud:
         """The ids of the caller's points."""
         return found if self._kept is None else self._kept[found]
 
-    def weights(self, weights: Weights, ignore: bool, noun: str = "weight") -> NDArray[Any] | None:
-        """One weight for each point, or what else the noun says: of the point array of that name, or given."""
+    def weights(
+        self, weights: Weights, ignore: bool, noun: str = "weight", are_kept: bool = False
+    ) -> NDArray[Any] | None:
+        """One weight for each point, or what else the noun says: of the point array of that name, or given.
+
+        are_kept: numbers are of the points that the engine reads
+        """
         values = weights.values
         if values is None or isinstance(values, str) and not self._starts[-1]:
             return None
         if isinstance(values, str):
             values = self._named(values, noun)
+        before = self._kept if are_kept else None
         try:
             weight_array, masked = column_of(values, noun, ignore)
         except InputError as error:
-            raise self._translated(error, None) from None
-        if len(weight_array) != self._starts[-1]:
+            raise self._translated(error, before) from None
+        if len(weight_array) != (len(self.array) if are_kept else self._starts[-1]):
             raise InputError(
                 f"there are {len(weight_array)} {noun}s, which is not the number of points, {self._starts[-1]}",
                 "weight_count", -1, len(weight_array),
             )
-        kept = weight_array if self._kept is None else weight_array[self._kept]
+        kept = weight_array if self._kept is None or are_kept else weight_array[self._kept]
         try:
             self.left_out = either_excluded(self.array, self.left_out, kept, masked)
             return weights.computed(kept)
         except InputError as error:
             raise self._translated(error, self._kept) from None
 
-    def mesh(self, ids: Ids, pass_point_data: bool) -> pv.PolyData:
+    def mesh(self, ids: Ids, pass_point_data: bool) -> Any:
         """A mesh of these of the caller's points, in their type, with their data; it has no cells yet."""
-        made = pv.PolyData()
+        made = vtk.vtkPolyData()
         made.SetPoints(self._points(ids))
         self.pass_data(ids, made, "point", pass_point_data)
         return made
 
-    def pass_data(self, ids: Ids, to: pv.PolyData, association: str, all_arrays: bool) -> None:
+    def source(self) -> Any:
+        """A data set of the points that the engine reads, with their data: the caller's own, if it has just these."""
+        filled = [part for part in self._parts if len(part.rows)]
+        alone = self._parts if len(self._parts) == 1 else filled
+        if self._kept is None and len(alone) == 1:
+            return alone[0].mesh
+        ids = self.ids(np.arange(len(self.array)))
+        made = vtk.vtkPolyData()
+        made.SetPoints(self._points(ids))
+        shares = [share for share in self._shares(ids) if len(share[1]) or len(self._parts) == 1]
+        if shares:
+            _copy_arrays(shares, len(ids), made.GetPointData())
+        return made
+
+    def heights(self) -> NDArray[Any] | None:
+        """The z of the points that the engine reads: floats if they are stored so, else doubles; None: no points."""
+        if not any(part.source is not None or not part.mesh.IsA("vtkPointSet") for part in self._parts):
+            return None
+        return self.array[:, 2].astype(np.float32 if self._stored.dtype == np.float32 else np.float64)
+
+    def pass_data(self, ids: Ids, to: Any, association: str, all_arrays: bool) -> None:
         """Gives a mesh the point data and the ids of these points, as point or as cell data."""
         cells = association == "cell"
         attributes = to.GetCellData() if cells else to.GetPointData()
         shares = self._shares(ids)
         if all_arrays and shares and all(part.mesh is not None for part, _ in shares):
             _copy_arrays(shares, len(ids), attributes)
-            _mark_for_pyvista(shares[0][0].mesh, attributes, to.cell_data if cells else to.point_data)
             if cells:
                 _turn_marks(attributes)
-        numbers: Any = np.array(ids)
-        array = pv.numpy_to_idarr(numbers, deep=True)
-        array.SetName("vtkOriginalPointIds")
-        attributes.AddArray(array)
-
-    def block_index(self, ids: Ids) -> NDArray[np.uint32]:
-        """The flat index of each point's block."""
-        ends = np.cumsum([block.count for block in self.blocks])
-        flat = np.array([block.flat_index for block in self.blocks], np.uint32)
-        return flat[np.searchsorted(ends, ids, side="right")] if len(ids) else np.empty(0, np.uint32)
+        names = ids if self.names is None else self.names[ids]
+        attributes.AddArray(vtk.ids_of(names, "vtkOriginalPointIds"))
 
     def _without_ghosts(self) -> Ids | None:
         """The ids of the points that are no ghosts; None: all."""
@@ -323,11 +316,10 @@ class Cloud:
                 continue
             values = values_of(marks).reshape(-1)
             if len(values) != count:
+                sentence = f"the point array {marks.GetName()} has {len(values)} value(s) for {count} point(s)"
                 raise InputError(
-                    f"the point array {marks.GetName()} has {len(values)} value(s) for {count} point(s): mend or "
-                    "remove it, or have ghosts counted: skip_ghost_points=False",
-                    "bad_argument",
-                )
+                    f"{sentence}: mend or remove it, or have ghosts counted: skip_ghost_points=False", "bad_argument"
+                ).for_filters(f"{sentence}. Mend or remove it, or turn off Skip Ghost Points.")
             ghost = part.data.DUPLICATEPOINT | part.data.HIDDENPOINT
             kept.append(start + np.flatnonzero((values & ghost) == 0))
         rows = np.concatenate([np.empty(0, np.int64), *kept])
@@ -335,46 +327,49 @@ class Cloud:
 
     def _gather(self, ignore: bool) -> None:
         """All points in one array of one type."""
-        parts = [part for part in self._parts if len(part.rows)] or self._parts[-1:]
-        self._typed = parts[0] if len(parts) == 1 else None  # the one whose array tells the type
-        if not parts:
-            rows: Any = np.empty((0, 3), np.float32)
-        elif len(parts) == 1:
-            rows = parts[0].rows
-        elif all(part.rows.dtype == parts[0].rows.dtype for part in parts):
-            rows = np.concatenate([part.rows for part in parts])
+        if self._kept is None:
+            shares = [(part, part.rows) for part in self._parts if len(part.rows)]
         else:
-            rows = np.concatenate([points_of(part.rows, True)[0].astype(np.float64) for part in parts])
+            shares = [(part, part.rows[ids]) for part, ids in self._shares(self._kept) if len(ids)]
+        shares = shares or [(part, part.rows[:0]) for part in self._parts[-1:]]
+        self._typed = shares[0][0] if len(shares) == 1 else None  # the one whose array tells the type
+        if not shares:
+            rows: Any = np.empty((0, 3), np.float32)
+        elif len(shares) == 1:
+            rows = shares[0][1]
+        elif all(some.dtype == shares[0][1].dtype for _, some in shares):
+            rows = np.concatenate([some for _, some in shares])
+        else:
+            rows = np.concatenate(_doubles_of([some for _, some in shares]))
         self.array, self.left_out = points_of(rows, ignore)
         # The output's points: integers stay integers.
         whole = rows.dtype.kind in "biu" and not np.ma.is_masked(rows)
         self._stored = np.asarray(rows) if whole else self.array
-        if self._kept is not None:
-            self.array = self.array[self._kept]
 
     def _points(self, ids: Ids) -> Any:
         """VTK's points, in their type and bits."""
         if self._typed is not None and self._typed.source is not None:
             points = self._typed.mesh.GetPoints().NewInstance()
-            points.SetData(_gathered([(self._typed.source, ids - self._start_of(self._typed))], len(ids)))
+            points.SetData(gathered([(self._typed.source, ids - self._start_of(self._typed))], len(ids)))
             return points
-        rows = self._stored[ids]
+        rows = self._stored[ids if self._kept is None else np.searchsorted(self._kept, ids)]
         if rows.shape[1] == 2:
             rows = np.column_stack([rows, np.zeros(len(rows), rows.dtype)])
         if rows.dtype.kind == "b":
             rows = rows.view(np.uint8)
-        native = np.ascontiguousarray(rows, rows.dtype.newbyteorder("="))
-        return pv.vtk_points(native, deep=True, force_float=False)
+        return vtk.points_of(rows)
 
     def _start_of(self, part: Part) -> int:
         return int(self._starts[next(i for i, one in enumerate(self._parts) if one is part)])
 
     def _shares(self, ids: Ids) -> list[tuple[Part, Ids]]:
-        """Of each part with points, the ids of ascending ones, counted there."""
+        """Of each part with points that are no ghosts, the ids of ascending ones, counted there."""
         found = []
         for part, start in zip(self._parts, self._starts):
-            if len(part.rows):
-                first, last = np.searchsorted(ids, (start, start + len(part.rows)))
+            span = start, start + len(part.rows)
+            kept = span if self._kept is None else np.searchsorted(self._kept, span)
+            if kept[0] < kept[1]:
+                first, last = np.searchsorted(ids, span)
                 found.append((part, ids[first:last] - start))
         return found
 
@@ -404,6 +399,8 @@ class Cloud:
         """The same error, in terms of the caller's points and blocks."""
         message, index = str(error), error.index
         composite = any(block.name for block in self.blocks)
+        if error._of_filters:
+            return error
         what = re.search(r"\bat (point|triangle|cell) (\d+)", message)
         if what is None or index < 0:
             if composite and len(self.blocks) == 1:
@@ -414,7 +411,9 @@ class Cloud:
         block, own = self._block_at(index) if what[1] == "point" else (self.blocks[0], index)
         words = f"at {what[1]} {own}" + (f" of {block.name}" if block.name else "")
         message = message[: what.start()] + words + message[what.end() :]
-        return type(error)(message, error.code, index, error.count)
+        made = type(error)(message, error.code, index, error.count)
+        made._where = words.removeprefix("at ")
+        return made
 
     def _block_at(self, point: int) -> tuple[Block, int]:
         for block in self.blocks:
@@ -424,16 +423,34 @@ class Cloud:
         return block, point
 
 
-def set_cells(mesh: pv.PolyData, dimension: int, size: int, offsets: Any, connectivity: Any) -> None:
+def _doubles_of(parts: Sequence[NDArray[Any]]) -> list[NDArray[np.float64]]:
+    """Points of several types; errors count those of all parts."""
+    found, begin = [], 0
+    for rows in parts:
+        try:
+            found.append(points_of(rows, True)[0].astype(np.float64))
+        except InputError as error:
+            raise at_points(str(error).split(": first at", 1)[0], error.code, begin + error.index, error.count) from None
+        begin += len(rows)
+    return found
+
+
+def add_block_index(mesh: Any, blocks: Sequence[Block]) -> None:
+    """Gives points that are of these blocks an array of the flat indices of these."""
+    ids = values_of(mesh.GetPointData().GetAbstractArray("vtkOriginalPointIds"))
+    flat = np.array([block.flat_index for block in blocks], np.uint32)
+    ends = np.cumsum([block.count for block in blocks])
+    index = flat[np.searchsorted(ends, ids, side="right")] if len(ids) else np.empty(0, np.uint32)
+    mesh.GetPointData().AddArray(vtk.array_of(index, "BlockIndex"))
+
+
+def set_cells(mesh: Any, dimension: int, size: int, offsets: Any, connectivity: Any) -> None:
     """Gives a mesh its cells: vertices, lines or polygons, all of one size or as the offsets tell."""
     if offsets is None:
-        if not len(connectivity):
-            return
-        cells = pv.CellArray.from_regular_cells(connectivity.reshape(-1, size))
-    else:
-        if len(offsets) < 2:
-            return
-        cells = pv.CellArray.from_arrays(offsets, connectivity)
+        offsets = np.arange(0, len(connectivity) + 1, size) if size else np.empty(0)
+    if len(offsets) < 2:
+        return
+    cells = vtk.cells_of(offsets, connectivity)
     (mesh.SetVerts, mesh.SetLines, mesh.SetPolys)[min(dimension, 2)](cells)
 
 
@@ -446,30 +463,34 @@ def pass_field_data(data: Any, to: Any) -> None:
             fields.RemoveArray(name)
 
 
-def _gathered(arrays: Sequence[tuple[Any, Ids]], count: int) -> Any:
+def like_of(array: Any, count: int) -> Any:
+    """A new array of VTK's, of so many tuples, that is like another one but for its values."""
+    like = array.NewInstance() if array.HasStandardMemoryLayout() else array.CreateArray(array.GetDataType())
+    like.SetName(array.GetName())
+    like.SetNumberOfComponents(array.GetNumberOfComponents())
+    like.CopyComponentNames(array)
+    if array.HasInformation():
+        like.CopyInformation(array.GetInformation())
+    if array.IsA("vtkDataArray"):
+        like.SetLookupTable(array.GetLookupTable())
+    like.SetNumberOfTuples(count)
+    return like
+
+
+def gathered(arrays: Sequence[tuple[Any, Ids]], count: int) -> Any:
     """A new array of VTK's of some tuples of others, all of one type."""
     first = arrays[0][0]
-    like = first.NewInstance() if first.HasStandardMemoryLayout() else first.CreateArray(first.GetDataType())
-    like.SetName(first.GetName())
-    like.SetNumberOfComponents(first.GetNumberOfComponents())
-    like.CopyComponentNames(first)
-    if first.HasInformation():
-        like.CopyInformation(first.GetInformation())
-    numbers = first.IsA("vtkDataArray")
-    if numbers:
-        like.SetLookupTable(first.GetLookupTable())
-    like.SetNumberOfTuples(count)
-    if numbers and not first.IsA("vtkBitArray"):
+    like = like_of(first, count)
+    if first.IsA("vtkDataArray") and not first.IsA("vtkBitArray"):
         values = [values_of(array)[ids] for array, ids in arrays]
         if count:
             np.concatenate(values, out=values_of(like))
         return like
-    size, at = first.GetNumberOfComponents(), 0
+    at = 0
     for array, ids in arrays:
         for i in ids.tolist():
-            for k in range(size):
-                like.SetVariantValue(at, array.GetVariantValue(i * size + k))
-                at += 1
+            like.SetTuple(at, i, array)
+            at += 1
     return like
 
 
@@ -486,13 +507,14 @@ def _copy_arrays(shares: Sequence[tuple[Part, Ids]], count: int, to: Any) -> Non
             found.append((other, ids))
         if len(found) < len(shares):
             continue
-        index = to.AddArray(_gathered(found, count))
+        index = to.AddArray(gathered(found, count))
         for attribute in range(leader.NUM_ATTRIBUTES):
             if leader.GetAbstractAttribute(attribute) is array:
                 to.SetActiveAttribute(index, attribute)
     # Points can go without the surface that these tell of: they would shade and draw another falsely.
     for attribute in (to.NORMALS, to.TANGENTS, to.EDGEFLAG, to.RATIONALWEIGHTS, to.HIGHERORDERDEGREES):
-        to.SetActiveAttribute(-1, attribute)
+        if to.GetAbstractAttribute(attribute) is not None:
+            to.SetActiveAttribute(-1, attribute)
 
 
 def _marks_of(data: Any) -> Any:
@@ -509,24 +531,6 @@ def _alike(data: Any, array: Any) -> Any:
         and other.GetNumberOfComponents() == array.GetNumberOfComponents()
     )
     return other if same else None
-
-
-def _mark_for_pyvista(mesh: Any, attributes: Any, to: pv.DataSetAttributes) -> None:
-    """Marks the arrays that PyVista knows as booleans or complex numbers, which VTK does not have."""
-    if not isinstance(mesh, pv.DataSet):
-        return
-    for i in range(attributes.GetNumberOfArrays()):
-        array = attributes.GetAbstractArray(i)
-        name, size = array.GetName(), array.GetNumberOfComponents()
-        if not name or not (array.IsA("vtkUnsignedCharArray") or array.IsA("vtkDataArray") and size == 2):
-            continue
-        if not mesh.GetPointData().GetAbstractArray(name).HasStandardMemoryLayout():
-            continue  # PyVista has not made it
-        kind = mesh.point_data[name].dtype
-        if kind.kind in "bc":
-            values = values_of(array)
-            to.set_array(values.view(kind).reshape(len(values), -1).squeeze(1) if kind.kind == "c" else
-                         values.view(kind), name)
 
 
 def _turn_marks(attributes: Any) -> None:

@@ -7,14 +7,16 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import pyvista as pv
 from numpy.typing import NDArray
 
 from . import _core
+from . import _vtkmodules as vtk
 from ._errors import InputError
 from ._input import refuse_masked
 from ._results import Floats
 
+_transforms = vtk.module("vtkCommonTransforms")
+CORNERS = "the power diagram's corners"
 _MODES = ("xy_plane", "best_fitting_plane", "transform")
 
 
@@ -33,12 +35,16 @@ class Projection:
         """Chooses the plane's height in space, where there is a choice."""
         self._height = _core.height_below(points, triangulation) if points.shape[1] == 3 else 0.0
 
-    def to_space(self, corners: Floats) -> Floats:
-        """Positions in space of positions in the plane; an error if one has none."""
+    def as_others(self, points: NDArray[Any], settings: Any) -> NDArray[Any]:
+        """Other points in the same plane."""
+        return self.to_plane(points, settings)
+
+    def to_space(self, corners: Floats, what: str = CORNERS) -> Floats:
+        """Positions in space of positions in the plane; an error that names these if one has none."""
         return np.column_stack([corners, np.full(len(corners), self._height)])
 
 
-class _BestFitting(Projection):
+class BestFitting(Projection):
     """To the plane with the least sum of squared distances to the points."""
 
     is_xy = False
@@ -49,32 +55,42 @@ class _BestFitting(Projection):
         self._plane, positions = _core.to_best_fitting_plane(points, settings)
         return positions
 
-    def to_space(self, corners: Floats) -> Floats:
-        return _finite(self._plane.positions(corners))
+    @property
+    def axes(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
+        """The directions of x and y in space."""
+        x, y = self._plane.axes
+        return tuple(x), tuple(y)
+
+    def as_others(self, points: NDArray[Any], settings: Any) -> NDArray[Any]:
+        positions: Floats = self._plane.projected(points, settings)
+        return positions
+
+    def to_space(self, corners: Floats, what: str = CORNERS) -> Floats:
+        return _finite(self._plane.positions(corners), what)
 
 
-class _ByMatrix(Projection):
-    """By a matrix of 4 by 4."""
+class ByTransform(Projection):
+    """By a transform of VTK's."""
 
     is_xy = False
 
-    def __init__(self, matrix: Floats) -> None:
-        self._matrix = matrix
+    def __init__(self, transform: Any) -> None:
+        self._transform = transform
 
     def to_plane(self, points: NDArray[Any], settings: Any) -> NDArray[Any]:
         if points.shape[1] == 2:
             points = np.column_stack([points, np.zeros(len(points), points.dtype)])
-        found = _transformed(self._matrix, points.astype(np.float64))[:, :2]
-        found[~np.isfinite(points).all(axis=1)] = np.nan
-        return np.ascontiguousarray(found)
+        found = np.full((len(points), 2), np.nan)
+        is_finite = np.isfinite(points).all(axis=1)
+        found[is_finite] = _transformed(self._transform, points[is_finite])[:, :2]
+        return found
 
-    def to_space(self, corners: Floats) -> Floats:
-        inverse = pv.vtkmatrix_from_array(self._matrix)  # inverted as VTK's transforms are
-        if inverse.Determinant() == 0.0:
-            raise InputError("the power diagram's corners have no places in space: the transform has no inverse")
-        inverse.Invert()
+    def to_space(self, corners: Floats, what: str = CORNERS) -> Floats:
+        transform = self._transform
+        if transform.IsA("vtkHomogeneousTransform") and transform.GetMatrix().Determinant() == 0.0:
+            raise _error_of(what)
         flat = np.column_stack([corners, np.zeros(len(corners))])
-        return _finite(_transformed(np.asarray(pv.array_from_vtkmatrix(inverse), np.float64), flat))
+        return _finite(_transformed(transform.GetInverse(), flat), what)
 
 
 def projection_of(mode: str, transform: Any) -> Projection:
@@ -86,10 +102,18 @@ def projection_of(mode: str, transform: Any) -> Projection:
     if transform is not None:
         if mode == "best_fitting_plane":
             raise ValueError('projection_plane_mode="best_fitting_plane" takes no transform')
-        return _ByMatrix(_matrix_of(transform))
+        return ByTransform(_transform_of(_matrix_of(transform)))
     if mode == "transform":
         raise ValueError('projection_plane_mode="transform" needs a transform')
-    return _BestFitting() if mode == "best_fitting_plane" else Projection()
+    return BestFitting() if mode == "best_fitting_plane" else Projection()
+
+
+def _transform_of(matrix: Floats) -> Any:
+    """Without a division where there is nothing to divide by."""
+    is_linear = tuple(matrix[3]) == (0.0, 0.0, 0.0, 1.0)
+    made = _transforms.vtkMatrixToLinearTransform() if is_linear else _transforms.vtkMatrixToHomogeneousTransform()
+    made.SetInput(vtk.matrix_of(matrix))
+    return made
 
 
 def _matrix_of(transform: Any) -> Floats:
@@ -108,17 +132,20 @@ def _matrix_of(transform: Any) -> Floats:
     return matrix
 
 
-def _transformed(matrix: Floats, points: Floats) -> Floats:
-    """In the order of VTK's operations."""
-    x, y, z = points.T
-    with np.errstate(all="ignore"):
-        rows = [row[0] * x + row[1] * y + row[2] * z + row[3] for row in matrix]
-        if tuple(matrix[3]) != (0.0, 0.0, 0.0, 1.0):
-            rows = [(1.0 / rows[3]) * row for row in rows]
-    return np.column_stack(rows[:3])
+def _transformed(transform: Any, points: NDArray[Any]) -> Floats:
+    found = vtk.vtkPoints()
+    found.SetDataTypeToDouble()
+    transform.TransformPoints(vtk.points_of(points.astype(np.float64)), found)
+    return np.array(vtk.values_of(found.GetData()), np.float64).reshape(-1, 3)
 
 
-def _finite(positions: Floats) -> Floats:
+def _finite(positions: Floats, what: str) -> Floats:
     if not np.isfinite(positions).all():
-        raise InputError("the power diagram's corners have no finite places in space: they lie too far out")
+        raise _error_of(what)
     return positions
+
+
+def _error_of(what: str) -> InputError:
+    return InputError(
+        f"{what} have no finite places in space: the transform has no inverse, or they lie too far out", "bad_argument"
+    )

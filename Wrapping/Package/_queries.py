@@ -54,6 +54,16 @@ def results_of(
     return found.reshape(shape + found.shape[1:])[()]
 
 
+def interpolation_of(queries: Any, method: str) -> Any:
+    """The query that interpolates by a method."""
+    return getattr(queries, f"interpolate_{method.replace('-', '_')}")
+
+
+def with_ones(rows: Floats) -> Floats:
+    """The values, and after them what is 1 everywhere: interpolated, it is NaN outside alone, also without values."""
+    return np.column_stack([rows, np.ones(len(rows))])
+
+
 def _rows_of(positions: Any, columns: tuple[int, ...], what: str) -> tuple[Any, tuple[int, ...]]:
     """The positions as rows of coordinates, and the shape that the positions have."""
     if isinstance(positions, tuple) and len(positions) in columns and any(map(_has_many, positions)):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The cells of PyVista's surfaces, as polygons that the engine cuts into triangles."""
+"""The cells of surfaces, as polygons that the engine cuts into triangles."""
 
 from __future__ import annotations
 
@@ -12,8 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._errors import InputError
-from ._meshes import Part, values_of
+from ._meshes import Part
 from ._results import Ids
+from ._vtkmodules import values_of
+
+HULL_OF_POINTS = (
+    "It takes triangles, polygons and triangle strips; Convex Hull (vtkFFHullFilter) gives the hull of points."
+)
 
 
 def surface_of(part: Part, name: str) -> tuple[NDArray[Any], NDArray[Any], Ids | None]:
@@ -27,9 +32,9 @@ def surface_of(part: Part, name: str) -> tuple[NDArray[Any], NDArray[Any], Ids |
     vertices, lines = mesh.GetNumberOfVerts(), mesh.GetNumberOfLines()
     if vertices + lines and not polygons.GetNumberOfCells() + strips.GetNumberOfCells():
         kinds = "vertices and lines" if vertices and lines else "vertices" if vertices else "lines"
-        raise InputError(
-            f"the surface{of} has no polygons: its cells are {kinds}; convex_hull() gives the hull of points",
-            "bad_argument",
+        sentence = f"the surface{of} has no polygons: its cells are {kinds}"
+        raise InputError(f"{sentence}; convex_hull() gives the hull of points", "bad_argument").for_filters(
+            f"{sentence}. {HULL_OF_POINTS}"
         )
     if vertices + lines:
         raise InputError(

@@ -19,7 +19,7 @@ from ._domain import domain_of_call
 from ._errors import InputError
 from ._image import METHODS, Image, Method, grid_of, image_of
 from ._input import points_and_weights_of, points_of, values_of
-from ._queries import Lengths, Numbers, results_of, changed, unchanged
+from ._queries import Lengths, Numbers, changed, interpolation_of, results_of, unchanged, with_ones
 from ._results import (
     QUIET,
     Cells,
@@ -258,14 +258,12 @@ class RegularTriangulation(Cells):
         -------
         array of the shapes of points and of values, less their last and first axes; of one point and numbers, a number
         """
-        name = choice_of("method", method, METHODS).replace("-", "_")
-        query = getattr(self._queries, f"interpolate_{name}")
+        query = interpolation_of(self._queries, choice_of("method", method, METHODS))
         given = values_of(values, self.npoints)
         rows = given.reshape(self.npoints, int(np.prod(given.shape[1:])))
-        # What is 1 everywhere is NaN outside alone; it also stands in where there are no values.
         filled = float_of("fill_value", fill_value)
         if filled == filled or rows.shape[1] == 0:
-            rows = np.column_stack([rows, np.ones(self.npoints)])
+            rows = with_ones(rows)
         found = results_of(query, points, (2, 3), threads, non_finite, progress, np.ascontiguousarray(rows))
         if rows.shape[1] > np.prod(given.shape[1:]):
             found = np.where(np.isnan(found[..., -1:]), filled, found[..., :-1])

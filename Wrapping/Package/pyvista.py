@@ -40,10 +40,11 @@ from ._mesh_constrained import constrained_triangulation
 from ._mesh_constraints import constraints_of_call
 from ._mesh_image import to_image
 from ._mesh_lines import breaklines_of_call
-from ._mesh_runs import Output, Run, each_block
+from ._mesh_runs import Run
 from ._mesh_transport import centroidal_cells, prescribed_areas
-from ._meshes import Block, blocks_of, data_of, is_tree, pass_field_data
+from ._meshes import Block, add_block_index, blocks_of, is_tree, pass_field_data
 from ._projection import projection_of
+from ._pyvista import Output, data_of, dressed, each_block
 from ._results import Progress, Report, report_of
 from ._terrain import limits_of
 
@@ -131,9 +132,10 @@ def convex_hull(
         return each_block(data, lambda block, report: [run.hull([block], report)], 1, progress)[0]
     with report_of(progress) as report:
         blocks = [block.checked() for block in blocks_of(data) if block is not None]
-        hull = run.hull(blocks, report, with_index=True)
+        hull = run.hull(blocks, report)
+    add_block_index(hull, blocks)
     pass_field_data(data, hull)
-    return hull
+    return dressed(hull, data)
 
 
 def convexify(
@@ -179,7 +181,7 @@ def convexify(
     if not hasattr(data, "IsA") or not (is_tree(data) or data.IsA("vtkPolyData")):
         raise TypeError(f"{type(surface).__name__} is no surface: a PolyData is wanted")
 
-    def convexified(block: Block, report: Report) -> list[pv.PolyData]:
+    def convexified(block: Block, report: Report) -> list[Any]:
         return [run.convexified(block, point, report)]
 
     return each_block(data, convexified, 1, progress, ("vtkPolyData",))[0]
@@ -323,7 +325,7 @@ def regular_triangulation(
     weighting = weights_of_call(weights, radii, weight_factor, is_tree(data))
     given = constraints_of_call(constraints, polygon_rule, is_tree(data), weighting.values is not None)
 
-    def triangulated(block: Block, report: Report) -> list[pv.PolyData]:
+    def triangulated(block: Block, report: Report) -> list[Any]:
         return run.triangulation(block, weighting, given, projection, radius, limit, report, both)
 
     outputs = each_block(data, triangulated, 2 if both else 1, progress)
@@ -395,7 +397,7 @@ def power_diagram(
     data = data_of(mesh)
     weighting = weights_of_call(weights, radii, weight_factor, is_tree(data))
 
-    def divided(block: Block, report: Report) -> list[pv.PolyData]:
+    def divided(block: Block, report: Report) -> list[Any]:
         return [run.diagram(block, weighting, projection, within, report)]
 
     return each_block(data, divided, 1, progress)[0]
@@ -503,7 +505,7 @@ def terrain_mesh(
     given = constraints_of_call(constraints, "even-odd", is_tree(data), False)
     own = breaklines_of_call(lines, constraints, heights, is_tree(data), degenerate)
 
-    def meshed(block: Block, report: Report) -> list[pv.PolyData]:
+    def meshed(block: Block, report: Report) -> list[Any]:
         return run.terrain(block, levels, given, own, limits, report, both)
 
     outputs = each_block(data, meshed, 2 if both else 1, progress)

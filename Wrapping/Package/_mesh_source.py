@@ -1,0 +1,237 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Lines and polygons of an algorithm's source, as constraints of its input's points, or of points of their own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._errors import FlipFlopError, InputError
+from ._filter_errors import ConstraintError
+from ._input import points_of
+from ._meshes import Cloud, block_of
+from ._results import QUIET, Ids
+from ._vtkmodules import values_of
+
+# As vtkFFAlgorithm.SourcePointsType.
+_AUTOMATIC, _OWN = 0, 2
+
+
+@dataclass
+class SourceRule:
+    """How a source is read.
+
+    Attributes
+    ----------
+    points : int
+        whose points its cells name
+    dimensions : int
+        how many coordinates are compared: 2, if z does not matter, or 3
+    closed_as_borders : bool
+        whether closed lines are polygons
+    has_setting, can_split : bool
+        whether the algorithm has settings for whose points these are, and for splits; errors name them then
+    """
+
+    points: int
+    dimensions: int
+    closed_as_borders: bool
+    has_setting: bool = True
+    can_split: bool = True
+
+
+class Source:
+    """The constraints of a source.
+
+    Attributes
+    ----------
+    is_own : bool
+        whether they name points of the source, and not of the input
+    ends : ndarray of m by 2
+        rows of the source's points, or of the cloud's
+    cell_of : ndarray
+        the source's cell that each is of
+    sides : int
+        the last so many are sides of polygons
+    """
+
+    def __init__(self, mesh: Any, cloud: Cloud, rule: SourceRule) -> None:
+        self._cloud, self._rule = cloud, rule
+        self._own = rows_of_points(mesh)
+        self._kept = cloud.ids(np.arange(len(cloud.array)))
+        lines, polygons = (_chains_of(cells) for cells in (mesh.GetLines(), mesh.GetPolys()))
+        first = mesh.GetNumberOfVerts()
+        numbers = first + np.arange(len(lines) + len(polygons))
+        corners = np.concatenate([np.empty(0, np.int64), *lines, *polygons])
+        self.is_own = rule.points == _OWN or rule.points == _AUTOMATIC and self._are_own(corners)
+        signs = np.zeros(len(lines), np.int8)
+        if rule.closed_as_borders:
+            signs = self._closed(lines, polygons, corners, numbers)
+        are_rings = signs != 0
+        line_numbers = numbers[: len(lines)]
+        parts = (
+            _pairs_of([line for line, is_ring in zip(lines, are_rings) if not is_ring], line_numbers[~are_rings]),
+            _pairs_of([line for line, is_ring in zip(lines, are_rings) if is_ring], line_numbers[are_rings]),
+            _pairs_of(polygons, numbers[len(lines) :], True),
+        )
+        ends, self.cell_of = (np.concatenate(some) for some in zip(*parts))
+        self.sides = len(parts[1][0]) + len(parts[2][0])
+        against = np.append(signs, np.zeros(len(polygons), np.int8))[self.cell_of - first] < 0
+        ends[against] = ends[against][:, ::-1]
+        self._require(ends.ravel(), np.repeat(self.cell_of, 2))
+        self.ends = ends if self.is_own else np.searchsorted(self._kept, ends)
+
+    @property
+    def points(self) -> NDArray[Any]:
+        """The source's own points, as the engine reads them."""
+        return points_of(self._own, True)[0]
+
+    def engine(self, call: Callable[..., Any], *arguments: Any, piece_of: Ids | None = None) -> Any:
+        """The engine's result; its errors about constraints, or pieces of them, name cells."""
+        try:
+            return self._cloud.engine(call, *arguments)
+        except FlipFlopError as error:
+            sentence = self._sentence_of(error, piece_of)
+            if not sentence:
+                raise
+            raise ConstraintError(sentence) from None
+
+    def _are_own(self, corners: Ids) -> bool:
+        """Whether some corners are no points of the input, or points at other places."""
+        corners = corners[(corners >= 0) & (corners < len(self._own))]
+        if (corners >= self._cloud.count).any():
+            return True
+        return not bool(self._are_same(corners, 3).all())
+
+    def _are_same(self, ids: Ids, dimensions: int) -> NDArray[np.bool_]:
+        own = self._own[ids, :dimensions].astype(np.float64)
+        given = self._cloud.rows(ids)[:, :dimensions].astype(np.float64)
+        same: NDArray[np.bool_] = ((own == given) | (np.isnan(own) & np.isnan(given))).all(axis=1)
+        return same
+
+    def _closed(self, lines: list[Ids], polygons: list[Ids], corners: Ids, numbers: Ids) -> NDArray[np.int8]:
+        """For each line 1 if it is of a ring, -1 if it also runs against that, else 0."""
+        sizes = [len(chain) for chain in (*lines, *polygons)]
+        self._require(corners, np.repeat(numbers, sizes))
+        places = (self._own[corners] if self.is_own else self._cloud.rows(corners)).astype(np.float64)
+        offsets = np.cumsum([0, *sizes])
+        found: NDArray[np.int8] = _core.closed_lines(
+            places.reshape(-1, 3), offsets, len(polygons), self._rule.dimensions, QUIET
+        )
+        return found[: len(lines)]
+
+    def _require(self, ids: Ids, cells: Ids) -> None:
+        """All points that cells name are there."""
+        own, count = len(self._own), self._cloud.count
+        if self.is_own:
+            fault = (ids < 0) | (ids >= own)
+        else:
+            fault = (ids < 0) | (ids >= count)
+            if own:
+                both = ~fault & (ids < own)
+                differ = ~both
+                differ[both] = ~self._are_same(ids[both], self._rule.dimensions)
+                fault |= differ
+            if len(self._kept) < count:
+                fault |= ~np.isin(ids, self._kept)
+        if fault.any():
+            first = int(fault.argmax())
+            raise InputError(self._fault_of(int(ids[first]), _name_of(int(cells[first]))), "bad_argument")
+
+    def _fault_of(self, point: int, cell: str) -> str:
+        own, count = len(self._own), self._cloud.count
+        if not self.is_own and not 0 <= point < count:
+            return (
+                f"Point {point} of {cell} is not there: its ids are those of the input's points, of which there are "
+                f"{count}."
+            )
+        if (self.is_own or own) and not 0 <= point < own:
+            return f"Point {point} of {cell} is not there: the source has {own} point(s)."
+        if own and not self._are_same(np.array([point]), self._rule.dimensions)[0]:
+            advice = " If they are its own, set Source Points to Own Points." if self._rule.has_setting else ""
+            return (
+                f"Point {point} of {cell} is at {_place_of(self._own[point])}, and point {point} of the input is at "
+                f"{_place_of(self._cloud.rows(np.array([point]))[0])}. The source's cells name points of the input by "
+                f"id, so at these ids its {own} points must be those of the input, of which there are {count}; or it "
+                f"has no points.{advice}"
+            )
+        return (
+            f"Point {point} of {cell} is a ghost point, which is left out. Turn off Skip Ghost Points, or take the "
+            "cell away."
+        )
+
+    def _sentence_of(self, error: FlipFlopError, piece_of: Ids | None) -> str:
+        def cell(row: int) -> str:
+            return _name_of(int(self.cell_of[row if piece_of is None else piece_of[row]]))
+
+        if error.code == "constraint_point":
+            point = error.count if self.is_own else int(self._kept[error.count])
+            return f"Point {point} of {cell(error.index)} is left out: it has a coordinate that is NaN or infinite."
+        if error.code == "constraints_cross":
+            both = "both" if self.is_own else "the input and to both"
+            advice = ", or turn on Split Crossing Constraints." if self._rule.can_split else "."
+            return (
+                f"An edge of {cell(error.index)} crosses one of {cell(error.count)}, and there is no point where they "
+                f"do. Add one to {both}{advice}"
+            )
+        if error.code != "polygons_disagree":
+            return ""
+        wrong, right = cell(error.index), cell(error.count)
+        if wrong == right:
+            end = f"The sides of {wrong} disagree with each other, as where a polygon crosses itself. Set Polygon Rule"
+        else:
+            end = f"Reverse {wrong}, which disagrees with {right}, or set Polygon Rule"
+        return (
+            "The polygons disagree about what is inside: what is on the left of a side is inside, and holes run "
+            f"clockwise. {end} to Even-Odd."
+        )
+
+
+def rows_of_points(mesh: Any) -> NDArray[Any]:
+    """The coordinates of a mesh's points."""
+    return np.asarray(block_of(mesh, "").part.rows)  # type: ignore[union-attr]
+
+
+def _chains_of(cells: Any) -> list[Ids]:
+    """The points of each cell."""
+    if not cells.GetNumberOfCells():
+        return []
+    offsets, ids = (
+        values_of(array).astype(np.int64) for array in (cells.GetOffsetsArray(), cells.GetConnectivityArray())
+    )
+    if offsets[0] < 0 or offsets[-1] > len(ids) or (np.diff(offsets) < 0).any():
+        raise InputError(
+            f"The source's cells are not valid: their offsets name corners {offsets[0]} to {offsets[-1] - 1}, and the "
+            f"connectivity has {len(ids)}.",
+            "bad_argument",
+        )
+    return np.split(ids[offsets[0] : offsets[-1]], offsets[1:-1] - offsets[0])
+
+
+def _pairs_of(chains: list[Ids], numbers: Ids, are_rings: bool = False) -> tuple[Ids, Ids]:
+    """The ends of each segment, and the cell that it is of."""
+    if not chains:
+        return np.empty((0, 2), np.int64), np.empty(0, np.int64)
+    offsets = np.cumsum([0, *map(len, chains)])
+    ends, chain_of = _core.constraints_along(offsets, np.concatenate(chains), are_rings)
+    return ends, numbers[chain_of]
+
+
+def _name_of(cell: int) -> str:
+    return f"cell {cell} of the source"
+
+
+def _place_of(point: NDArray[Any]) -> str:
+    return f"({', '.join(_text_of(float(x)) for x in point)})"
+
+
+def _text_of(number: float) -> str:
+    """With as few digits as tell it."""
+    texts = (f"{number:.{digits}g}" for digits in range(6, 18))
+    return next((text for text in texts if float(text) == number), f"{number:.17g}")
