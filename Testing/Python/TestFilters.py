@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The filters from Python: what VTK's wrapper and NumPy's arrays bring to what the C++ tests hold."""
 
+import os
 import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkImageData, vtkPlanes, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
@@ -20,8 +22,6 @@ from vtkflipflop import (
     vtkFFPowerDiagramFilter,
     vtkFFRegularTriangulationFilter,
     vtkFFSelectEnclosedPoints,
-    vtkPFFHullFilter,
-    vtkPFFRegularTriangulationFilter,
 )
 
 from watching import errors_of
@@ -146,8 +146,11 @@ class TestHull(unittest.TestCase):
         self.assertEqual(list(array(convexify.GetOutput())), [0, 1, 2, 3, 5])
         self.assertEqual(convexify.GetVolume(), 2.0 / 3.0)
 
+    @unittest.skipUnless(vtkflipflop.vtk_classes == "compiled", "only compiled classes are for distributed data")
     def test_one_process(self):
         """Without others, the filters for distributed data are the plain ones; None is no array."""
+        from vtkflipflop import vtkPFFHullFilter, vtkPFFRegularTriangulationFilter
+
         data = poly_data(RANDOM.standard_normal((3000, 3)), weights=np.arange(3000.0))
         for plain, distributed in (
             (vtkFFHullFilter, vtkPFFHullFilter),
@@ -262,6 +265,14 @@ class TestQueries(unittest.TestCase):
 
 
 class TestPackage(unittest.TestCase):
+    def test_kind(self):
+        """The classes are what the package says, and one can choose those in Python."""
+        is_python = issubclass(vtkFFHullFilter, VTKPythonAlgorithmBase)
+        self.assertEqual(vtkflipflop.vtk_classes, "python" if is_python else "compiled")
+        if os.environ.get("VTKFLIPFLOP_CLASSES") == "python":
+            self.assertTrue(is_python)
+
+    @unittest.skipUnless(vtkflipflop.vtk_classes == "compiled", "these are not wrapped")
     def test_names(self):
         """All that is wrapped is exported."""
         wrapped = {

@@ -1,0 +1,244 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The compiled classes and those in Python give the same, for settings and inputs at random: bits, figures, sentences.
+
+It runs where one process has both kinds.
+"""
+
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkBitArray, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
+    vtkImageData,
+    vtkMultiBlockDataSet,
+    vtkPolyData,
+    vtkTable,
+    vtkUnstructuredGrid,
+)
+from vtkmodules.vtkCommonTransforms import vtkGeneralTransform, vtkPerspectiveTransform, vtkTransform
+
+try:
+    from vtkflipflop import _filters as python
+    from vtkflipflop import _vtk as compiled
+
+    WHY_NOT = ""
+except ImportError as error:
+    WHY_NOT = f"One process does not have both kinds here: {error}"
+
+CASES = 120
+NUMBERS = [0.05, 0.3, 1.0, np.inf, -1.0, np.nan]
+FLAGS = ["SkipGhostPoints", "PassPointData", "VisiblePointIds", "ReportAsFieldData", "VBiased", "FacetMode",
+         "NonFinitePoints"]  # fmt: skip
+OF_PLANE = {"GenerateCellMeasures": [0, 1], "ProjectionPlaneMode": [0, 1, 2], "WeightMode": [0, 1],
+            "WeightFactor": [2.0, 0.0, *NUMBERS]}  # fmt: skip
+SETTINGS = {
+    "vtkFFHullFilter": {"CompositeMode": [0, 1]},
+    "vtkFFRegularTriangulationFilter": {
+        **OF_PLANE, "Alpha": NUMBERS, "AlphaLines": [0, 1], "AlphaVerts": [0, 1], "GenerateAlphas": [0, 1],
+        "MaximumEdgeLength": NUMBERS, "GenerateBoundary": [0, 1], "SourcePoints": [0, 1, 2],
+        "SplitCrossingConstraints": [0, 1], "PolygonRule": [0, 1], "ClosedLinesAsBorders": [0, 1],
+    },
+    "vtkFFPowerDiagramFilter": {
+        **OF_PLANE, "PowerDiagramBounds": [(0.1, 0.8, -1.0, 2.0), (1.0, 0.0, 0.0, 1.0), (np.nan, 1.0, 0.0, 1.0)],
+    },
+}  # fmt: skip
+FIGURES = ["Dimension", "EngineUsed", "EngineReason", "ErrorCode", "Volume", "Area"] + [
+    f"NumberOf{what}"
+    for what in ("InputPoints", "NonFinitePoints", "HiddenPoints", "DroppedCells", "SplitPoints", "AddedPoints",
+                 "HeightDifferences")
+]  # fmt: skip
+# What the report has of the work and the machine.
+OF_THE_WORK = ("FlipFlopSeconds", "FlipFlopThreads")
+
+
+class Made:
+    """Settings and inputs, at random."""
+
+    def __init__(self, seed):
+        self.random = np.random.default_rng(seed)
+
+    def one_of(self, choices):
+        return choices[self.random.integers(len(choices))]
+
+    def chance(self, share):
+        return self.random.random() < share
+
+    def calls(self, name):
+        choices = {**{flag: [0, 1] for flag in FLAGS}, **SETTINGS[name]}
+        found = [(f"Set{key}", self.one_of(values)) for key, values in choices.items() if self.chance(0.25)]
+        if "WeightMode" in choices and self.chance(0.4):
+            array = self.one_of(["w", "w", "w", "a0", "None", "", "missing", 0])
+            found.append(("SetInputArrayToProcess", 0, 0, 0, self.one_of([0, 0, 0, 1]), array))
+        if "WeightMode" in choices and self.chance(0.2):
+            transform = self.one_of([vtkTransform, vtkGeneralTransform, vtkPerspectiveTransform])()
+            transform.RotateX(30.0)
+            transform.Scale(2.0, 1.0, self.one_of([0.0, 1.0]))
+            found.append(("SetTransform", transform))
+        return found
+
+    def rows(self):
+        rows = self.random.random((self.one_of([0, 1, 2, 5, 30, 200]), 3))
+        kind = self.one_of(["any", "lattice", "line", "vertical", "point"])
+        if kind == "lattice":
+            rows = np.round(6.0 * rows) / 6.0
+        elif kind == "line":
+            rows = np.round(5.0 * rows[:, :1]) * [1.0, 2.0, self.one_of([0.0, 1.0])]
+        elif kind != "any":
+            rows[:, 1 if kind == "vertical" else slice(None)] = 0.5
+        if len(rows) and self.chance(0.05):
+            rows[self.random.integers(len(rows)), self.random.integers(3)] = self.one_of([np.nan, np.inf])
+        elif self.chance(0.1):
+            return np.round(6.0 * rows).astype(np.int32)
+        return rows.astype(self.one_of([np.float32, np.float64]))
+
+    def array(self, count):
+        kind = self.one_of(["f4", "f8", "i8", "u1", "text", "bit", "vector"])
+        if kind == "vector":
+            return numpy_to_vtk(self.random.random((count, 3)), deep=True)
+        if kind not in ("text", "bit"):
+            return numpy_to_vtk((100.0 * self.random.random(count)).astype(kind), deep=True)
+        array = vtkStringArray() if kind == "text" else vtkBitArray()
+        array.SetNumberOfValues(count)
+        for i in range(count):
+            array.SetValue(i, f"{i % 7}" if kind == "text" else i % 2)
+        return array
+
+    def with_data(self, data):
+        count, attributes = data.GetNumberOfPoints(), data.GetPointData()
+        arrays = {f"a{i}": self.array(count) for i in range(self.random.integers(4))}
+        if self.chance(0.4):
+            arrays["w"] = numpy_to_vtk(self.one_of([0.02, 1.0]) * self.random.random(count), deep=True)
+        if self.chance(0.15):
+            marks = self.random.choice(np.array([0, 0, 1, 2], np.uint8), count)
+            marks[:1] = 0
+            arrays["vtkGhostType"] = numpy_to_vtk(marks, deep=True)
+        for name, array in arrays.items():
+            array.SetName(name)
+            attributes.AddArray(array)
+            if not array.IsA("vtkStringArray") and array.GetNumberOfComponents() == 1 and self.chance(0.3):
+                attributes.SetActiveScalars(name)
+        return data
+
+    def data_set(self):
+        if self.chance(0.1):
+            data = vtkImageData()
+            data.SetDimensions(*self.random.integers(1, 5, 3).tolist())
+            data.SetSpacing(0.1, 0.3, 0.7)
+        else:
+            data = self.one_of([vtkPolyData, vtkUnstructuredGrid])()
+            points = vtkPoints()
+            points.SetData(numpy_to_vtk(self.rows(), deep=True))
+            data.SetPoints(points)
+        return self.with_data(data)
+
+    def data(self):
+        if self.chance(0.85):
+            return self.data_set()
+        whole = vtkMultiBlockDataSet()
+        for i in range(self.random.integers(4)):
+            whole.SetBlock(i, self.one_of([self.data_set(), self.data_set(), None, vtkTable()]))
+        return whole
+
+    def source(self, data):
+        """Lines and polygons of the data's points, or of others."""
+        source, count = vtkPolyData(), data.GetNumberOfPoints()
+        if self.chance(0.5):
+            points = vtkPoints()
+            points.SetData(numpy_to_vtk(self.rows(), deep=True))
+            source.SetPoints(points)
+            count = source.GetNumberOfPoints()
+            self.with_data(source)
+        for add, least in ((source.SetLines, 1), (source.SetPolys, 3)):
+            cells = vtkCellArray()
+            for _ in range(self.random.integers(4) if count else 0):
+                ids = self.random.integers(0, count, self.random.integers(least, least + 3)).tolist()
+                cells.InsertNextCell(len(ids), ids)
+            add(cells)
+        return source
+
+
+def content(array):
+    if array.IsA("vtkStringArray") or array.IsA("vtkBitArray"):
+        return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+    return vtk_to_numpy(array).tobytes()
+
+
+def arrays_of(fields):
+    """All arrays in their order, and which are active."""
+    arrays = [fields.GetAbstractArray(i) for i in range(fields.GetNumberOfArrays())]
+    found = [
+        (one.GetName(), one.GetClassName(), one.GetNumberOfComponents(),
+         None if one.GetName() and one.GetName().startswith(OF_THE_WORK) else content(one))
+        for one in arrays
+    ]  # fmt: skip
+    if hasattr(fields, "NUM_ATTRIBUTES"):
+        active = map(fields.GetAbstractAttribute, range(fields.NUM_ATTRIBUTES))
+        found.append([one and one.GetName() for one in active])
+    return found
+
+
+def all_of(data):
+    """All that makes up an output, down to the bits."""
+    if data is None or not data.IsA("vtkPolyData"):
+        is_tree = data is not None and data.IsA("vtkMultiBlockDataSet")
+        blocks = [data.GetBlock(i) for i in range(data.GetNumberOfBlocks())] if is_tree else []
+        return [data and data.GetClassName(), *map(all_of, blocks)]
+    points = data.GetPoints()
+    found = ["vtkPolyData", points and (points.GetData().GetClassName(), content(points.GetData()))]
+    for cells in (data.GetVerts(), data.GetLines(), data.GetPolys()):
+        ids = (cells.GetOffsetsArray(), cells.GetConnectivityArray()) if cells.GetNumberOfCells() else ()
+        found.append([vtk_to_numpy(array).tolist() for array in ids])
+    return found + [arrays_of(fields) for fields in (data.GetPointData(), data.GetCellData(), data.GetFieldData())]
+
+
+def run(classes, name, calls, inputs):
+    """What a class gives: all outputs, all figures of the report, all it says."""
+    algorithm, said = getattr(classes, name)(), []
+
+    def hear(caller, event, text):
+        said.append((event, text.split("): ", 1)[1].strip()))
+
+    hear.CallDataType = "string0"
+    for event in ("ErrorEvent", "WarningEvent"):
+        algorithm.AddObserver(event, hear)
+    for method, *values in calls:
+        getattr(algorithm, method)(*values)
+    for port, data in enumerate(inputs):
+        algorithm.SetInputDataObject(port, data)
+    algorithm.Update()
+    report = {one: getattr(algorithm, f"Get{one}")() for one in FIGURES if hasattr(algorithm, f"Get{one}")}
+    outputs = [all_of(algorithm.GetOutputDataObject(i)) for i in range(algorithm.GetNumberOfOutputPorts())]
+    return {"said": said, "report": report, "outputs": outputs}
+
+
+@unittest.skipIf(WHY_NOT, WHY_NOT)
+class TestBothKinds(unittest.TestCase):
+    def compare(self, name, has_source=False):
+        good = 0
+        for seed in range(CASES):
+            made = Made(seed)
+            calls, inputs = made.calls(name), [made.data()]
+            if has_source and made.chance(0.6):
+                inputs.append(made.source(inputs[0]))
+            with self.subTest(seed=seed, calls=calls):
+                expected, found = (run(classes, name, calls, inputs) for classes in (compiled, python))
+                for part, value in expected.items():
+                    self.assertEqual(found[part], value, part)
+                good += expected["report"]["ErrorCode"] == 0
+        self.assertGreater(good, CASES // 3)
+
+    def test_hulls(self):
+        self.compare("vtkFFHullFilter")
+
+    def test_triangulations(self):
+        self.compare("vtkFFRegularTriangulationFilter", has_source=True)
+
+    def test_power_diagrams(self):
+        self.compare("vtkFFPowerDiagramFilter")
+
+
+if __name__ == "__main__":
+    unittest.main()
