@@ -88,6 +88,23 @@ print(*tomllib.load(open(sys.argv[1], "rb"))["build-system"]["requires"])' "$top
   begin "Test: the wheel with PyVista and the newest VTK"
   in_clean pyvista "$wheel[pyvista,vtk] pytest scipy mypy shapely geopandas rasterio" "$top/Testing/Python" \
     "$top/Testing/Wheel" "$top/Testing/Arrays/TestForms.py" "$top/Testing/Arrays/TestTyping.py"
+  test_both_kinds "$wheels/clean-pyvista"
+}
+
+# test_both_kinds FOLDER: the wheel's classes, installed there, beside the compiled ones of the release build
+test_both_kinds() {
+  local compiled="$top/build/ci/lib" package="$wheels/both/vtkflipflop"
+  if [ ! -f "$compiled/python3/dist-packages/vtkflipflop/_vtk_check.py" ]; then
+    say "Not run: the classes in Python beside the compiled ones, which ./test.sh builds"
+    return
+  fi
+  begin "Test: the classes in Python beside the compiled ones"
+  rm -rf "$package"
+  mkdir -p "$package"
+  cp "$1"/lib/python3*/site-packages/vtkflipflop/*.{py,so} "$package"
+  cp "$compiled"/python3/dist-packages/vtkflipflop/{_vtk_check.py,vtkFilters*.so} "$package"
+  logged test-both-kinds cat env LD_LIBRARY_PATH="$compiled" PYTHONPATH="$wheels/both" PYTHONDONTWRITEBYTECODE=1 \
+    "$python" "$top/Testing/Python/TestBothKinds.py" -v
 }
 
 trap conclude EXIT

@@ -457,8 +457,8 @@ NB_MODULE(_core, module)
   nb::class_<FittedPlane>(module, "FittedPlane")
     .def("positions", &positionsInSpace)
     .def("projected", &positionsInThatPlane)
-    .def_prop_ro("axes",
-      [](const FittedPlane& self) { return nb::make_tuple(self.first, self.second); });
+    .def_prop_ro(
+      "axes", [](const FittedPlane& self) { return nb::make_tuple(self.first, self.second); });
   module.def("to_best_fitting_plane", &positionsInBestPlane);
   module.def("to_xy_plane", &positionsByXY);
   module.def("height_below",

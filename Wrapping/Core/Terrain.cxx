@@ -34,9 +34,10 @@ nb::dict meshOf(const InputArray& points, const std::optional<InputArray>& heigh
   const WeightView levels = weightView(heights);
   const ConstraintView constraints(ends.data(), static_cast<std::int64_t>(ends.shape(0)));
   TerrainMesh mesh = settings.run(
-    [&](const Options& options) {
-      return terrainMesh(positions, levels, constraints, { tolerance, maxVertices, isFraction },
-        options);
+    [&](const Options& options)
+    {
+      return terrainMesh(
+        positions, levels, constraints, { tolerance, maxVertices, isFraction }, options);
     });
   const auto cells = static_cast<std::size_t>(mesh.cellCount());
   const std::size_t corners = cells > 0 ? mesh.connectivity.size() / cells : 0;
@@ -61,8 +62,7 @@ nb::dict meshOf(const InputArray& points, const std::optional<InputArray>& heigh
 void bindTerrain(nb::module_& module)
 {
   module.def("terrain_mesh", &meshOf, "points"_a, "heights"_a.none(), "constraints"_a,
-    "tolerance"_a, "max_vertices"_a, "settings"_a,
-    "is_fraction"_a = false);
+    "tolerance"_a, "max_vertices"_a, "settings"_a, "is_fraction"_a = false);
 }
 
 }
