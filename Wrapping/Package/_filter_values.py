@@ -108,8 +108,8 @@ class InterpolatedData:
 
             def positions(null: NDArray[Any], first: tuple[int, int] = first) -> Floats:
                 j, i = np.divmod(null, columns)
-                places = zip(grid.origin, grid.spacing, (first[0] + i, first[1] + j))
-                return np.column_stack([origin + index.astype(float) * step for origin, step, index in places])
+                axes = zip(grid.origin, grid.spacing, (first[0] + i, first[1] + j))
+                return np.column_stack([origin + index.astype(float) * step for origin, step, index in axes])
 
             self._write(found.reshape(-1, found.shape[2]), positions, settings, made, begin * columns)
         count = columns * rows

@@ -77,8 +77,8 @@ class PlaneCells:
 
     def measures(self) -> tuple[Floats, Floats]:
         """The cells' areas, and their centroids in the plane."""
-        places = np.asarray(self._positions[self._vertices, :2], np.float64)
-        areas, centroids = [np.zeros(len(places))], [places]
+        vertices = np.asarray(self._positions[self._vertices, :2], np.float64)
+        areas, centroids = [np.zeros(len(vertices))], [vertices]
         for cells in (_core.edges_of(self._edges), self.core):
             if cells.cell_count:
                 found = _core.triangle_measures(self._positions, cells)
@@ -121,8 +121,8 @@ class PlaneCells:
 
 def add_measures(made: Any, areas: Floats, centroids: Floats, projection: Projection) -> None:
     """Gives cells the arrays of their areas, and of their centroids in space."""
-    places = projection.to_space(centroids, "the cells' centroids")
-    for values, name in ((areas, "Area"), (places, "Centroid")):
+    in_space = projection.to_space(centroids, "the cells' centroids")
+    for values, name in ((areas, "Area"), (in_space, "Centroid")):
         made.GetCellData().AddArray(vtk.array_of(values, name))
 
 

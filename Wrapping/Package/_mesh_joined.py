@@ -106,10 +106,10 @@ class Joined:
             at = self.plane.positions[self._given + self.added :]
             ends = self._ends_of_crossings()
             shares = shares_of(at, *(np.asarray(self.plane.positions[ids, :2], np.float64) for ids in ends.T))
-            places = _between(rows_of_points(whole)[ends].astype(np.float64), shares)
+            positions = _between(rows_of_points(whole)[ends].astype(np.float64), shares)
             if projection.is_xy and self._heights is not None:
-                places[:, :2], places[:, 2] = at, self._heights[self.added :]
-            whole = with_crossings(whole, places, ends, shares)
+                positions[:, :2], positions[:, 2] = at, self._heights[self.added :]
+            whole = with_crossings(whole, positions, ends, shares)
         found = Cloud([block_of(whole, "")], False, True)
         found.names = ids_of_points(whole)
         return found
@@ -121,7 +121,7 @@ class Joined:
         return np.column_stack([self._pieces[begins, 0], self._pieces[ends, 1]])
 
 
-def _between(places: Floats, shares: Floats) -> Floats:
+def _between(positions: Floats, shares: Floats) -> Floats:
     share = shares[:, None]
-    found: Floats = (1.0 - share) * places[:, 0] + share * places[:, 1]
+    found: Floats = (1.0 - share) * positions[:, 0] + share * positions[:, 1]
     return found

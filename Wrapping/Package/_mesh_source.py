@@ -119,10 +119,10 @@ class Source:
         """For each line 1 if it is of a ring, -1 if it also runs against that, else 0."""
         sizes = [len(chain) for chain in (*lines, *polygons)]
         self._require(corners, np.repeat(numbers, sizes))
-        places = (self._own[corners] if self.is_own else self._cloud.rows(corners)).astype(np.float64)
+        positions = (self._own[corners] if self.is_own else self._cloud.rows(corners)).astype(np.float64)
         offsets = np.cumsum([0, *sizes])
         found: NDArray[np.int8] = _core.closed_lines(
-            places.reshape(-1, 3), offsets, len(polygons), self._rule.dimensions, QUIET
+            positions.reshape(-1, 3), offsets, len(polygons), self._rule.dimensions, QUIET
         )
         return found[: len(lines)]
 
@@ -156,8 +156,8 @@ class Source:
         if own and not self._are_same(np.array([point]), self._rule.dimensions)[0]:
             advice = " If they are its own, set Source Points to Own Points." if self._rule.has_setting else ""
             return (
-                f"Point {point} of {cell} is at {_place_of(self._own[point])}, and point {point} of the input is at "
-                f"{_place_of(self._cloud.rows(np.array([point]))[0])}. The source's cells name points of the input by "
+                f"Point {point} of {cell} is at {_index_of(self._own[point])}, and point {point} of the input is at "
+                f"{_index_of(self._cloud.rows(np.array([point]))[0])}. The source's cells name points of the input by "
                 f"id, so at these ids its {own} points must be those of the input, of which there are {count}; or it "
                 f"has no points.{advice}"
             )
@@ -227,7 +227,7 @@ def _name_of(cell: int) -> str:
     return f"cell {cell} of the source"
 
 
-def _place_of(point: NDArray[Any]) -> str:
+def _index_of(point: NDArray[Any]) -> str:
     return f"({', '.join(_text_of(float(x)) for x in point)})"
 
 
