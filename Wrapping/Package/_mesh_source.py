@@ -156,8 +156,8 @@ class Source:
         if own and not self._are_same(np.array([point]), self._rule.dimensions)[0]:
             advice = " If they are its own, set Source Points to Own Points." if self._rule.has_setting else ""
             return (
-                f"Point {point} of {cell} is at {_index_of(self._own[point])}, and point {point} of the input is at "
-                f"{_index_of(self._cloud.rows(np.array([point]))[0])}. The source's cells name points of the input by "
+                f"Point {point} of {cell} is at {_words_of(self._own[point])}, and point {point} of the input is at "
+                f"{_words_of(self._cloud.rows(np.array([point]))[0])}. The source's cells name points of the input by "
                 f"id, so at these ids its {own} points must be those of the input, of which there are {count}; or it "
                 f"has no points.{advice}"
             )
@@ -227,7 +227,7 @@ def _name_of(cell: int) -> str:
     return f"cell {cell} of the source"
 
 
-def _index_of(point: NDArray[Any]) -> str:
+def _words_of(point: NDArray[Any]) -> str:
     return f"({', '.join(_text_of(float(x)) for x in point)})"
 
 
