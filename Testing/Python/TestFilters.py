@@ -177,6 +177,33 @@ class TestPlane(unittest.TestCase):
         for settings in ({"ProjectionPlaneMode": kind.BEST_FITTING_PLANE}, {"Transform": transform}):
             np.testing.assert_array_equal(cells(run(kind, up, **settings)), flat)
 
+    def test_changes_of_the_transform(self):
+        transform, triangulation = vtkTransform(), vtkFFRegularTriangulationFilter()
+        triangulation.SetInputData(poly_data(RANDOM.random((50, 3))))
+        triangulation.SetTransform(transform)
+        self.assertEqual(triangulation.GetProjectionPlaneMode(), triangulation.TRANSFORM_PLANE)
+        runs = []
+        triangulation.AddObserver("EndEvent", lambda caller, event: runs.append(caller))
+        # The inverse announces nothing.
+        for change in (lambda: None, lambda: transform.RotateX(40.0), lambda: transform.RotateX(40.0),
+                       lambda: triangulation.SetTransform(transform.GetInverse()), lambda: transform.RotateY(40.0)):
+            change()
+            before = triangulation.GetMTime()
+            triangulation.Update()
+            triangulation.Update()
+            self.assertGreaterEqual(triangulation.GetMTime(), before)
+        self.assertEqual(len(runs), 5)
+
+    def test_box_of_a_power_diagram(self):
+        diagram = vtkFFPowerDiagramFilter()
+        diagram.StorePowerDiagramLengths(0.25, 0.5, 9.0)
+        diagram.StorePowerDiagramCorner(1e17, 0.0, 9.0)
+        diagram.StorePowerDiagramCorner(1.0, 2.0, 9.0)
+        self.assertEqual(diagram.GetPowerDiagramBounds(), (1.0, 1.25, 2.0, 2.5))
+        self.assertEqual(diagram.GetPowerDiagramBoxMode(), diagram.BOX_OF_POINTS)
+        diagram.SetPowerDiagramBounds((0.0, 1.0, 0.0, 1.0))
+        self.assertEqual(diagram.GetPowerDiagramBoxMode(), diagram.BOX_OF_BOUNDS)
+
     def test_power_diagram(self):
         data = poly_data(RANDOM.random((500, 2)), weights=0.01 * RANDOM.random(500))
         hidden = array(run(vtkFFRegularTriangulationFilter, data, "weights").GetOutput(1))

@@ -242,7 +242,6 @@ class Algorithm(_Base):  # type: ignore[misc, valid-type]
                 task = Task(results, rest)
                 is_done = self._done(partial(self._execute, data, inputs, task), task)
                 report = task.report
-                # The engine asks now and then, so perhaps not at all.
                 if is_done and not progress(1.0):
                     raise AbortedError("", "aborted")
         except AbortedError:
@@ -295,6 +294,9 @@ class Algorithm(_Base):  # type: ignore[misc, valid-type]
             name = f"data set {i} of the composite" if len(pieces) > 1 else ""
             task = Task(results, stretch(progress, i / len(pieces), (i + 1) / len(pieces)), name)
             self._done(partial(self._execute, piece, inputs, task), task)
+            # The engine asks now and then, so perhaps not at all.
+            if not progress((i + 0.5) / len(pieces)):
+                raise AbortedError("", "aborted")
             report.add(task.report)
             for output, result in zip(outputs, results):
                 output.SetDataSet(leaves, result)

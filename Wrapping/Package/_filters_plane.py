@@ -58,6 +58,7 @@ class vtkFFPlanarAlgorithm(vtkFFAlgorithm):
     """What the algorithms that work in a plane have in common: the plane, the points' weights, measures of cells."""
 
     _watched: Any = None
+    _transformed = 0  # of the last run, when the transform had changed last
 
     def SetTransform(self, transform: Any) -> None:
         """Set what takes the points to the XY plane; it is used, unless it is None."""
@@ -77,15 +78,23 @@ class vtkFFPlanarAlgorithm(vtkFFAlgorithm):
 
     def Update(self, *arguments: Any) -> Any:
         """Brings the output up to date, also after changes that a transform does not announce: those of its inverse."""
-        if self.GetMTime() > super().GetMTime():
+        transform = self._settings["Transform"]
+        if transform is not None and transform.GetMTime() > self._transformed:
             self.Modified()
         return super().Update(*arguments)
+
+    def RequestData(self, request: Any, inputs: Any, outputs: Any) -> int:
+        done = super().RequestData(request, inputs, outputs)
+        transform = self._settings["Transform"]
+        self._transformed = 0 if transform is None else transform.GetMTime()  # a transform that is used may note that
+        return done
 
     def _weights(self, data: Any, task: Task) -> Weights:
         """What the points' weights are made of: numbers of an array, or None."""
         chosen = self._settings
         array = array_to_process(self, data, _of(task)) if data.IsA("vtkDataSet") else None
-        return Weights(None if array is None else vtk.values_of(array), chosen["WeightMode"] == 1, chosen["WeightFactor"])
+        numbers_ = None if array is None else vtk.values_of(array)
+        return Weights(numbers_, chosen["WeightMode"] == self.RADII, chosen["WeightFactor"])
 
     def _projection(self) -> Projection:
         """The plane that was chosen."""
@@ -239,7 +248,7 @@ class vtkFFRegularTriangulationFilter(vtkFFPlanarAlgorithm):
         made = run.cells_of(plane.cloud, cells.core)
         cells.add_complex(made)
         if chosen["GenerateCellMeasures"]:
-            add_measures(made, *cells.measures(), plane.projection)
+            add_measures(made, cells.measures(), plane.projection)
         if chosen["GenerateAlphas"]:
             made.GetCellData().AddArray(vtk.array_of(cells.alphas(), "Alpha"))
         found = [made, cells.hidden(run.pass_data)]
@@ -303,7 +312,7 @@ class vtkFFPowerDiagramFilter(vtkFFPlanarAlgorithm):
         made = run.mesh_of_power_cells(plane, found)
         self._finish_ids(made.GetCellData())
         if self._settings["GenerateCellMeasures"]:
-            add_measures(made, *_core.power_cell_measures(found), plane.projection)
+            add_measures(made, _core.power_cell_measures(found), plane.projection)
         task.adopt(0, made)
         task.report.NumberOfHiddenPoints = len(run.core.hidden())
         self._report_on(task, run, HiddenPoints=task.report.NumberOfHiddenPoints)

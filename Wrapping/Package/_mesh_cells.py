@@ -119,8 +119,9 @@ class PlaneCells:
         return found
 
 
-def add_measures(made: Any, areas: Floats, centroids: Floats, projection: Projection) -> None:
-    """Gives cells the arrays of their areas, and of their centroids in space."""
+def add_measures(made: Any, measures: tuple[Floats, Floats], projection: Projection) -> None:
+    """Gives cells the arrays of their areas, and of their centroids, which are in the plane, in space."""
+    areas, centroids = measures
     in_space = projection.to_space(centroids, "the cells' centroids")
     for values, name in ((areas, "Area"), (in_space, "Centroid")):
         made.GetCellData().AddArray(vtk.array_of(values, name))

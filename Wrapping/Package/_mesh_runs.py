@@ -48,6 +48,7 @@ class Run:
     """
 
     core: Any = None
+    _last: Any = None  # the settings of the engine's last run
     v_biased = True
     cuda_from: int | None = None
 
