@@ -21,8 +21,10 @@ double FacetPlane::wideNormal(const double* a, const double* b, const double* c,
     const int q = (i + 2) % 3;
     exact[i] =
       wideOffset(b, a, p) * wideOffset(c, a, q) - wideOffset(b, a, q) * wideOffset(c, a, p);
-    bits =
-      exact[i].is_zero() ? bits : std::max<unsigned>(bits, msb(WideInteger(abs(exact[i]))) + 1);
+    if (!exact[i].is_zero())
+    {
+      bits = std::max(bits, static_cast<unsigned>(msb(WideInteger(abs(exact[i])))) + 1);
+    }
   }
   constexpr unsigned Most = 1000; // that a double's range holds
   double largest = 0;
