@@ -66,8 +66,8 @@ for part in "${parts[@]}"; do
     wheels)
       "$top/Scripts/install-dependencies.sh" wheel
       rm -rf "$top/build/wheels"
-      # From 3.12 on, all share one.
-      for name in python3.11 python3.12; do
+      # From 3.12 on, the last one's is for all.
+      for name in python3.11 python3.12 python3.13 python3.14; do
         "$name" -c "" 2>/dev/null || continue
         "$name" -m venv "$top/build/wheels/$name"
         "$top/build/wheels/$name/bin/pip" wheel "$top" --no-deps --wheel-dir "$top/build/wheels"
