@@ -4,6 +4,7 @@
 /// Triangulations of which some cells are left out: inside polygons, in alpha complexes; and the
 /// borders of such.
 #include "Calls.h"
+#include "Constrained.h"
 #include "Results.h"
 #include "Sites.h"
 #include "State.h"
@@ -41,13 +42,6 @@ namespace
 {
 
 using Mask = nb::ndarray<const std::uint8_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
-
-/// A constrained triangulation as a whole, and what is inside its polygons.
-struct Constrained
-{
-  std::shared_ptr<const ConstrainedTriangulation> whole;
-  Handle<Triangulation> inside; ///< the whole itself, if all is inside
-};
 
 ConstraintView constraintView(const EndsArray& ends, std::int64_t sides)
 {

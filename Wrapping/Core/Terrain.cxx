@@ -3,6 +3,7 @@
 /// @file
 /// Terrain meshes.
 #include "Calls.h"
+#include "Constrained.h"
 #include "Results.h"
 #include "Views.h"
 
@@ -12,6 +13,7 @@
 #include <nanobind/stl/optional.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -24,9 +26,9 @@ namespace flipflop
 namespace
 {
 
-/// By name what TerrainMesh has; ids for indices.
+/// By name what TerrainMesh has, ids for indices; and the triangulation.
 /// @param isFraction the tolerance is in units of the range of heights
-nb::dict meshOf(const InputArray& points, const std::optional<InputArray>& heights,
+nb::tuple meshOf(const InputArray& points, const std::optional<InputArray>& heights,
   const EndsArray& ends, double tolerance, std::int64_t maxVertices, const Settings& settings,
   bool isFraction)
 {
@@ -46,15 +48,18 @@ nb::dict meshOf(const InputArray& points, const std::optional<InputArray>& heigh
   found["simplices"] = arrayOf(idsOf(mesh, mesh.connectivity), { cells, corners });
   found["fixed_edges"] =
     arrayOf(idsOf(mesh, mesh.fixedEdges), { mesh.constraintOf.size(), std::size_t(2) });
-  found["constraint_of"] = arrayOf(std::move(mesh.constraintOf));
   found["errors"] = arrayOf(std::move(mesh.errors));
   found["tolerance"] = mesh.tolerance;
   found["greatest_error"] = mesh.greatestError;
   found["beyond"] = mesh.beyond;
   found["unreachable"] = mesh.unreachable;
   found["statistics"] = dictOf(mesh.statistics);
-  found["vertices"] = arrayOf(std::move(mesh.pointIds));
-  return found;
+  Constrained triangulation;
+  triangulation.whole = std::make_shared<const ConstrainedTriangulation>(std::move(mesh));
+  triangulation.inside = { triangulation.whole };
+  found["constraint_of"] = arrayOf(triangulation.whole->constraintOf, triangulation.whole);
+  found["vertices"] = arrayOf(triangulation.whole->pointIds, triangulation.whole);
+  return nb::make_tuple(found, triangulation);
 }
 
 }

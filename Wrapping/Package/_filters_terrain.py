@@ -17,9 +17,12 @@ from ._filter_base import Task, block_for, reports
 from ._filter_errors import SettingError, naming
 from ._filter_settings import VTK_ID_MAX, Choice, Flag, Setting, integer, number, with_settings
 from ._filters_hull import vtkFFAlgorithm
-from ._mesh_terrain import meshes_of_terrain
+from ._input import column_of
+from ._mesh_joined import Part
+from ._mesh_source import Source, SourceRule
+from ._mesh_terrain import Survey, meshes_of_terrain
 from ._meshes import Cloud
-from ._results import Ids
+from ._results import Ids, stretch
 
 
 @reports(
@@ -56,40 +59,64 @@ class vtkFFTerrainMeshFilter(vtkFFAlgorithm):
     def _make(self, data: Any, inputs: Any, task: Task) -> None:
         run = self._run()
         self._use_cpu(run, "terrain meshes are the CPU's")
-        limits = self._limits()
-        heights = self._heights_of(data, f" of {task.name}" if task.name else "") if data.IsA("vtkDataSet") else None
+        limits, source = self._limits(), self._source(inputs, task)
+        heights = self._heights_of(data, task, "input") if data.IsA("vtkDataSet") else None
         ignores = bool(self._settings["NonFinitePoints"])
         cloud = Cloud([block_for(data, task)], self._settings["SkipGhostPoints"], ignores)
         levels = None if heights is None else cloud.weights(Weights(heights, False, 1.0), ignores, "height")
-        ends = np.empty((0, 2), np.int64)
-        chosen = run.settings(cloud, task.progress)
-        found = cloud.engine(_core.terrain_mesh, cloud.array, levels, ends, *limits[:2], chosen, limits[2])
+
+        def part(begin: float, end: float) -> Any:
+            return run.settings(cloud, stretch(task.progress, begin, end))
+
+        survey = None
+        if source is None:
+            ends = np.empty((0, 2), np.int64)
+            arguments = cloud.array, levels, ends, *limits[:2], part(0.0, 1.0), limits[2]
+            found, _ = cloud.engine(_core.terrain_mesh, *arguments)
+        else:
+            survey = self._survey(cloud, levels, source, task, part)
+            found = survey.mesh(limits, part(0.2, 1.0))
+        self._write(found, cloud, survey, task)
+        run.core = SimpleNamespace(dimension=found["dimension"], statistics=found["statistics"])
+        self._report_on(task, run, **self._figures(found, survey, task))
+
+    def _survey(self, cloud: Cloud, levels: Any, mesh: Any, task: Task, part: Part) -> Survey:
+        chosen = self._settings
+        source = Source(mesh, cloud, SourceRule(chosen["SourcePoints"], 2, False))
+        own = None
+        if source.is_own:
+            heights = self._heights_of(mesh, task, "source")
+            own = None if heights is None else column_of(heights, "height", True)[0]
+        return Survey(cloud, levels, mesh, source, own, chosen["SplitCrossingConstraints"], part)
+
+    def _write(self, found: dict[str, Any], cloud: Cloud, survey: Survey | None, task: Task) -> None:
+        whole = cloud if survey is None else survey.cloud
 
         def points_of(rows: Ids) -> Any:
-            made = cloud.mesh(cloud.ids(rows), self._settings["PassPointData"])
+            made = whole.mesh(whole.ids(rows), self._settings["PassPointData"])
             self._finish_ids(made.GetPointData())
+            if survey is not None:
+                survey.add_marks(made, rows)
             return made
 
         for port, made in enumerate(meshes_of_terrain(found, points_of, True)):
             task.adopt(port, made)
-        run.core = SimpleNamespace(dimension=found["dimension"], statistics=found["statistics"])
+
+    def _figures(self, found: dict[str, Any], survey: Survey | None, task: Task) -> dict[str, Any]:
+        """Those of the report, and the same for field data."""
         report = task.report
         report.GreatestError = found["greatest_error"]
         report.NumberOfPointsBeyond, report.NumberOfUnreachablePoints = found["beyond"], found["unreachable"]
-        self._report_on(
-            task, run,
-            Tolerance=found["tolerance"],
-            GreatestError=report.GreatestError,
-            PointsBeyond=report.NumberOfPointsBeyond,
-            UnreachablePoints=report.NumberOfUnreachablePoints,
-            SplitPoints=report.NumberOfSplitPoints,
-            AddedPoints=report.NumberOfAddedPoints,
-            HeightDifferences=report.NumberOfHeightDifferences,
-        )
+        if survey is not None:
+            report.NumberOfSplitPoints, report.NumberOfAddedPoints = survey.crossings, survey.added
+            report.NumberOfHeightDifferences = survey.differing
+        names = "PointsBeyond", "UnreachablePoints", "SplitPoints", "AddedPoints", "HeightDifferences"
+        counts = {name: getattr(report, f"NumberOf{name}") for name in names}
+        return {"Tolerance": found["tolerance"], "GreatestError": report.GreatestError, **counts}
 
-    def _heights_of(self, data: Any, of: str, owner: str = "input") -> Any:
+    def _heights_of(self, data: Any, task: Task, owner: str) -> Any:
         """The numbers of the array of heights; None: heights are z."""
-        array = array_to_process(self, data, of, owner, "height")
+        array = array_to_process(self, data, f" of {task.name}" if task.name else "", owner, "height")
         return None if array is None else vtk.values_of(array)
 
     def _limits(self) -> tuple[float, int, bool]:

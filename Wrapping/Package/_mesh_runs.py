@@ -169,7 +169,7 @@ class Run:
         if lines is None:
             given = CloudConstraints(constraints or Constraints(None, None), cloud, True)
             arguments = cloud.array, levels, given.ends, *limits, self.settings(cloud, report)
-            found = cloud.engine(given.engine, _core.terrain_mesh, *arguments)
+            found, _ = cloud.engine(given.engine, _core.terrain_mesh, *arguments)
         else:
 
             def part(begin: float, end: float) -> Any:

@@ -54,8 +54,10 @@ class TerrainMesh(Frozen):
     errors : ndarray
         for each point how far it is above the mesh, the true number rounded to the nearest double; 0 at vertices, NaN
         where a point was left out
+    tolerance : float
+        that was asked for; 0 without points
     greatest_error : float
-        the greatest magnitude among them
+        the greatest magnitude of errors
     beyond : int
         how many points are farther than the tolerance; 0: it is met, exactly
     unreachable : int
@@ -74,6 +76,7 @@ class TerrainMesh(Frozen):
     fixed_edges: Ids
     constraint_of: Ids
     errors: Floats
+    tolerance: float
     greatest_error: float
     beyond: int
     unreachable: int
@@ -169,7 +172,7 @@ def terrain_mesh(
             return mesh_with_lines(array, levels, lines_of(lines, False, degenerate), limits, left_out, part)
         given = Constraints(constraints, None)
         try:
-            found = _core.terrain_mesh(array, levels, given.ends, *limits, part(0.0, 1.0))
+            found, _ = _core.terrain_mesh(array, levels, given.ends, *limits, part(0.0, 1.0))
         except InputError as error:
             raise given.of_error(error) from None
     found["statistics"] = named(found["statistics"])
@@ -195,7 +198,7 @@ def mesh_with_lines(
     if left_out:
         given = frozen(np.concatenate([whole, joined.points[len(array) :]]))
         joined = JoinedTriangulation._of(**{**vars(joined), "points": given, "_masked": joined.points})
-    found = _core.terrain_mesh(joined.points, None, joined.constraints, *limits, part(0.5, 1.0))
+    found, _ = _core.terrain_mesh(joined.points, None, joined.constraints, *limits, part(0.5, 1.0))
     found["statistics"] = named(found["statistics"])
     return TerrainMesh._of(joined=joined, **found)
 
