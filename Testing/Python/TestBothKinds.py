@@ -5,11 +5,12 @@
 It runs where one process has both kinds.
 """
 
+import os
 import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkBitArray, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonCore import vtkBitArray, vtkIdList, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
     vtkImageData,
@@ -28,12 +29,14 @@ try:
 except ImportError as error:
     WHY_NOT = f"One process does not have both kinds here: {error}"
 
-CASES = 120
+CASES = int(os.environ.get("FLIPFLOP_TEST_CASES", 120))
 NUMBERS = [0.05, 0.3, 1.0, np.inf, -1.0, np.nan]
 FLAGS = ["SkipGhostPoints", "PassPointData", "VisiblePointIds", "ReportAsFieldData", "VBiased", "FacetMode",
          "NonFinitePoints"]  # fmt: skip
 OF_PLANE = {"GenerateCellMeasures": [0, 1], "ProjectionPlaneMode": [0, 1, 2], "WeightMode": [0, 1],
             "WeightFactor": [2.0, 0.0, *NUMBERS]}  # fmt: skip
+OF_VALUES = {"InterpolationMode": [0, 1, 2], "NullPointsStrategy": [0, 1, 2], "NullValue": [3.0, np.nan],
+             "InterpolateZ": [0, 1], "ZArrayName": ["z", "a0"], "ValidPointsMaskArrayName": ["valid"]}  # fmt: skip
 SETTINGS = {
     "vtkFFHullFilter": {"CompositeMode": [0, 1]},
     "vtkFFRegularTriangulationFilter": {
@@ -44,11 +47,28 @@ SETTINGS = {
     "vtkFFPowerDiagramFilter": {
         **OF_PLANE, "PowerDiagramBounds": [(0.1, 0.8, -1.0, 2.0), (1.0, 0.0, 0.0, 1.0), (np.nan, 1.0, 0.0, 1.0)],
     },
+    "vtkFFTerrainMeshFilter": {
+        "Tolerance": NUMBERS, "MaximumNumberOfVertices": [0, 4, 20], "SourcePoints": [0, 1, 2],
+        "SplitCrossingConstraints": [0, 1],
+    },
+    "vtkFFConvexifyFilter": {"KernelPoint": [(0.5, 0.5, 0.5), (5.0, 0.0, 0.0), (np.nan, 0.0, 0.0)]},
+    "vtkFFSelectEnclosedPoints": {
+        "GenerateDistances": [0, 1], "InsideOut": [0, 1], "SelectPointsOnSurface": [0, 1],
+    },
+    "vtkFFPointInterpolator2D": {
+        **OF_VALUES, "WeightMode": [0, 1], "WeightFactor": [2.0, 0.0, *NUMBERS], "PassPointArrays": [0, 1],
+        "PassCellArrays": [0, 1], "PassFieldArrays": [0, 1],
+    },
+    "vtkFFPointsToImage": {
+        **OF_PLANE, **OF_VALUES, "SizeMode": [0, 1], "Dimensions": [(5, 7), (0, 3)],
+        "Spacing": [(0.3, 0.1), (np.nan, 1.0)], "UseInputBounds": [0, 1],
+        "SamplingBounds": [(0.1, 0.8, -1.0, 2.0), (1.0, 0.0, 0.0, 1.0)],
+    },
 }  # fmt: skip
-FIGURES = ["Dimension", "EngineUsed", "EngineReason", "ErrorCode", "Volume", "Area"] + [
+FIGURES = ["Dimension", "EngineUsed", "EngineReason", "ErrorCode", "Volume", "Area", "GreatestError"] + [
     f"NumberOf{what}"
     for what in ("InputPoints", "NonFinitePoints", "HiddenPoints", "DroppedCells", "SplitPoints", "AddedPoints",
-                 "HeightDifferences")
+                 "HeightDifferences", "PointsBeyond", "UnreachablePoints")
 ]  # fmt: skip
 # What the report has of the work and the machine.
 OF_THE_WORK = ("FlipFlopSeconds", "FlipFlopThreads")
@@ -67,12 +87,13 @@ class Made:
         return self.random.random() < share
 
     def calls(self, name):
-        choices = {**{flag: [0, 1] for flag in FLAGS}, **SETTINGS[name]}
+        kind = getattr(compiled, name)
+        choices = {**{flag: [0, 1] for flag in FLAGS if hasattr(kind, f"Set{flag}")}, **SETTINGS[name]}
         found = [(f"Set{key}", self.one_of(values)) for key, values in choices.items() if self.chance(0.25)]
-        if "WeightMode" in choices and self.chance(0.4):
+        if ("WeightMode" in choices or "Tolerance" in choices) and self.chance(0.4):
             array = self.one_of(["w", "w", "w", "a0", "None", "", "missing", 0])
             found.append(("SetInputArrayToProcess", 0, 0, 0, self.one_of([0, 0, 0, 1]), array))
-        if "WeightMode" in choices and self.chance(0.2):
+        if "ProjectionPlaneMode" in choices and self.chance(0.2):
             transform = self.one_of([vtkTransform, vtkGeneralTransform, vtkPerspectiveTransform])()
             transform.RotateX(30.0)
             transform.Scale(2.0, 1.0, self.one_of([0.0, 1.0]))
@@ -142,6 +163,29 @@ class Made:
             whole.SetBlock(i, self.one_of([self.data_set(), self.data_set(), None, vtkTable()]))
         return whole
 
+    def surface(self):
+        """A hull whose points have been moved, and which may have a hole."""
+        if self.chance(0.2):
+            return self.data()
+        hull = compiled.vtkFFHullFilter()
+        hull.SetFacetMode(self.one_of([0, 1]))
+        hull.SetInputData(self.data_set())
+        hull.SetNonFinitePoints(hull.NON_FINITE_IGNORE)
+        hull.Update()
+        if not hull.GetOutput().GetNumberOfPoints():
+            return vtkPolyData()
+        surface, rows = vtkPolyData(), vtk_to_numpy(hull.GetOutput().GetPoints().GetData())
+        points, cells = vtkPoints(), vtkCellArray()
+        rows = rows * self.one_of([1.0, 1.0 + 0.2 * self.random.random((len(rows), 1))])
+        points.SetData(numpy_to_vtk(np.ascontiguousarray(rows), deep=True))
+        surface.SetPoints(points)
+        polygons, ids = hull.GetOutput().GetPolys(), vtkIdList()
+        for i in range(1 if self.chance(0.1) else 0, polygons.GetNumberOfCells()):
+            polygons.GetCellAtId(i, ids)
+            cells.InsertNextCell(ids)
+        surface.SetPolys(cells)
+        return self.with_data(surface)
+
     def source(self, data):
         """Lines and polygons of the data's points, or of others."""
         source, count = vtkPolyData(), data.GetNumberOfPoints()
@@ -182,13 +226,17 @@ def arrays_of(fields):
 
 def all_of(data):
     """All that makes up an output, down to the bits."""
-    if data is None or not data.IsA("vtkPolyData"):
+    if data is None or not data.IsA("vtkDataSet"):
         is_tree = data is not None and data.IsA("vtkMultiBlockDataSet")
         blocks = [data.GetBlock(i) for i in range(data.GetNumberOfBlocks())] if is_tree else []
         return [data and data.GetClassName(), *map(all_of, blocks)]
-    points = data.GetPoints()
-    found = ["vtkPolyData", points and (points.GetData().GetClassName(), content(points.GetData()))]
-    for cells in (data.GetVerts(), data.GetLines(), data.GetPolys()):
+    found = [data.GetClassName(), data.GetNumberOfPoints(), data.GetNumberOfCells()]
+    if data.IsA("vtkPointSet"):
+        points = data.GetPoints()
+        found.append(points and (points.GetData().GetClassName(), content(points.GetData())))
+    if data.IsA("vtkImageData"):
+        found.append(repr((data.GetExtent(), data.GetOrigin(), data.GetSpacing(), data.GetDirectionMatrix().GetData())))
+    for cells in (data.GetVerts(), data.GetLines(), data.GetPolys()) if data.IsA("vtkPolyData") else ():
         ids = (cells.GetOffsetsArray(), cells.GetConnectivityArray()) if cells.GetNumberOfCells() else ()
         found.append([vtk_to_numpy(array).tolist() for array in ids])
     return found + [arrays_of(fields) for fields in (data.GetPointData(), data.GetCellData(), data.GetFieldData())]
@@ -216,28 +264,44 @@ def run(classes, name, calls, inputs):
 
 @unittest.skipIf(WHY_NOT, WHY_NOT)
 class TestBothKinds(unittest.TestCase):
-    def compare(self, name, has_source=False):
+    def compare(self, name, second=None, chance=1.0, first=Made.data):
+        """In so many cases there is a second input, which the method makes for the first."""
         good = 0
         for seed in range(CASES):
             made = Made(seed)
-            calls, inputs = made.calls(name), [made.data()]
-            if has_source and made.chance(0.6):
-                inputs.append(made.source(inputs[0]))
+            calls, inputs = made.calls(name), [first(made)]
+            if second and made.chance(chance):
+                inputs.append(second(made, inputs[0]))
             with self.subTest(seed=seed, calls=calls):
                 expected, found = (run(classes, name, calls, inputs) for classes in (compiled, python))
                 for part, value in expected.items():
                     self.assertEqual(found[part], value, part)
                 good += expected["report"]["ErrorCode"] == 0
-        self.assertGreater(good, CASES // 3)
+        self.assertGreater(good, CASES // 5)
 
     def test_hulls(self):
         self.compare("vtkFFHullFilter")
 
+    def test_surfaces(self):
+        self.compare("vtkFFConvexifyFilter", first=Made.surface)
+
     def test_triangulations(self):
-        self.compare("vtkFFRegularTriangulationFilter", has_source=True)
+        self.compare("vtkFFRegularTriangulationFilter", Made.source, 0.6)
 
     def test_power_diagrams(self):
         self.compare("vtkFFPowerDiagramFilter")
+
+    def test_terrain_meshes(self):
+        self.compare("vtkFFTerrainMeshFilter", Made.source, 0.4)
+
+    def test_enclosed_points(self):
+        self.compare("vtkFFSelectEnclosedPoints", lambda made, _: made.data_set())
+
+    def test_interpolated_points(self):
+        self.compare("vtkFFPointInterpolator2D", lambda made, _: made.data_set())
+
+    def test_images(self):
+        self.compare("vtkFFPointsToImage", Made.source, 0.3)
 
 
 if __name__ == "__main__":
