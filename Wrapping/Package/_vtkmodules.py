@@ -24,7 +24,7 @@ def _package() -> str:
     for name in ("vtkmodules", "cvista"):
         if find_spec(name):
             return name
-    raise ImportError("VTK is missing: pip install vtk", name="vtkmodules")
+    raise ImportError("VTK is missing: pip install vtk. Without it there is vtkflipflop.arrays", name="vtkmodules")
 
 
 def package_of(kind: type) -> str:
