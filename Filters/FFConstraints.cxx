@@ -78,12 +78,12 @@ bool isSame(vtkDataSet* a, vtkDataSet* b, vtkIdType point, int dimensions)
 vtkSmartPointer<vtkPointSet> append(vtkPointSet* given, vtkPointSet* created, FFRun& run)
 {
   const auto count = static_cast<std::size_t>(given->GetNumberOfPoints());
-  if (run.Ids.empty())
+  if (!run.Ids)
   {
-    run.Ids.resize(count);
-    std::iota(run.Ids.begin(), run.Ids.end(), vtkIdType(0));
+    run.Ids.emplace(count);
+    std::iota(run.Ids->begin(), run.Ids->end(), vtkIdType(0));
   }
-  run.Ids.resize(count + static_cast<std::size_t>(created->GetNumberOfPoints()), -1);
+  run.Ids->resize(count + static_cast<std::size_t>(created->GetNumberOfPoints()), -1);
   return FFOutput::Append({ given, created });
 }
 
@@ -101,7 +101,7 @@ double shareOf(const double* a, const double* b, const double* q)
 
 //------------------------------------------------------------------------------
 FFConstraints::FFConstraints(const SettingsType& settings, vtkPolyData* source, vtkDataSet* input,
-  const std::vector<vtkIdType>& given, const flipflop::Options& options)
+  const std::optional<std::vector<vtkIdType>>& given, const flipflop::Options& options)
   : Settings(settings)
   , Source(source)
   , Input(input)
@@ -223,17 +223,17 @@ std::int64_t FFConstraints::GetId(vtkIdType point, vtkIdType cell) const
       std::to_string(count) + ".");
   }
   this->CheckPoint(point, cell);
-  if (this->Given.empty())
+  if (!this->Given)
   {
     return point;
   }
-  const auto at = std::lower_bound(this->Given.begin(), this->Given.end(), point);
-  if (at == this->Given.end() || *at != point)
+  const auto at = std::lower_bound(this->Given->begin(), this->Given->end(), point);
+  if (at == this->Given->end() || *at != point)
   {
     throw std::runtime_error("Point " + std::to_string(point) + " of " + describe(cell) +
       " is a ghost point, which is left out. Turn off Skip Ghost Points, or take the cell away.");
   }
-  return at - this->Given.begin();
+  return at - this->Given->begin();
 }
 
 //------------------------------------------------------------------------------

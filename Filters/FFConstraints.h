@@ -60,14 +60,14 @@ public:
   /**
    * @param source whose cells are read
    * @param input  the data set whose points ids may name
-   * @param given  ids of those of these points that the engine was given, ascending; empty: it was
-   *               given all
+   * @param given  ids of those of these points that the engine was given, ascending; without: it
+   *               was given all
    * @param options of the search for closed lines
    * @throw std::runtime_error where a cell names a point that is not there, or that should be the
    *                           input's, and has other coordinates
    */
   FFConstraints(const SettingsType& settings, vtkPolyData* source, vtkDataSet* input,
-    const std::vector<vtkIdType>& given, const flipflop::Options& options = {});
+    const std::optional<std::vector<vtkIdType>>& given, const flipflop::Options& options = {});
   FFConstraints(const FFConstraints&) = delete;
   void operator=(const FFConstraints&) = delete;
 
@@ -195,7 +195,7 @@ private:
   const SettingsType Settings;
   vtkPolyData* const Source;
   vtkDataSet* const Input;
-  const std::vector<vtkIdType>& Given;
+  const std::optional<std::vector<vtkIdType>>& Given;
   bool IsOwn = false;
   std::vector<std::int64_t> Ends;
   std::vector<vtkIdType> CellIds;      // of each constraint

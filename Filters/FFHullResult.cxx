@@ -45,7 +45,7 @@ int divisionsOf(vtkInformation* output, int divisions)
 /// Has the ids of a piece, and its parts, count the points that are no ghosts: as many as returned.
 vtkIdType countRemaining(const std::vector<vtkSmartPointer<vtkPointSet>>& parts, FFRun& run)
 {
-  run.Ids.clear();
+  run.Ids.reset();
   vtkIdType count = 0;
   std::size_t k = run.Parts.size() - (run.Parts.empty() ? 0 : parts.size());
   for (vtkPointSet* part : parts)

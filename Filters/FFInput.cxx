@@ -37,6 +37,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -190,24 +191,22 @@ vtkSmartPointer<vtkIdTypeArray> idsWithoutGhosts(vtkPointSet* piece)
 
 /// Leaves out the ghosts among the pieces' points. Returns the ids of the others among all points;
 /// none, if all remain.
-std::vector<vtkIdType> skipGhosts(std::vector<vtkSmartPointer<vtkPointSet>>& pieces)
+std::optional<std::vector<vtkIdType>> skipGhosts(std::vector<vtkSmartPointer<vtkPointSet>>& pieces)
 {
-  std::vector<vtkIdType> ids;
-  bool areSome = false;
+  std::optional<std::vector<vtkIdType>> ids;
   vtkIdType begin = 0;
   for (auto& piece : pieces)
   {
     const vtkIdType size = piece->GetNumberOfPoints();
     const auto own = idsWithoutGhosts(piece);
-    if (own && !areSome)
+    if (own && !ids)
     {
-      areSome = true;
-      ids.resize(static_cast<std::size_t>(begin));
-      std::iota(ids.begin(), ids.end(), vtkIdType(0));
+      ids.emplace(static_cast<std::size_t>(begin));
+      std::iota(ids->begin(), ids->end(), vtkIdType(0));
     }
-    for (vtkIdType i = 0; areSome && i < (own ? own->GetNumberOfValues() : size); ++i)
+    for (vtkIdType i = 0; ids && i < (own ? own->GetNumberOfValues() : size); ++i)
     {
-      ids.push_back(begin + (own ? own->GetValue(i) : i));
+      ids->push_back(begin + (own ? own->GetValue(i) : i));
     }
     piece = own ? FFOutput::Select(piece, own) : piece;
     begin += size;

@@ -147,7 +147,7 @@ bool FFRun::Do(const std::function<void()>& work)
 //------------------------------------------------------------------------------
 vtkIdType FFRun::GetId(vtkIdType index) const
 {
-  return this->FirstId + (this->Ids.empty() ? index : this->Ids[static_cast<std::size_t>(index)]);
+  return this->FirstId + (this->Ids ? (*this->Ids)[static_cast<std::size_t>(index)] : index);
 }
 
 //------------------------------------------------------------------------------

@@ -23,6 +23,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -90,7 +91,7 @@ public:
   /**
    * What is being worked on, as errors name it. Points belong to parts, one after another: so many,
    * and a clause for each, " of the block of flat index 2". The points that the engine counts have
-   * these ids among them (the same, if there are none), from the first id on.
+   * these ids among them, from the first id on; without ids, the same.
    */
   struct PartType
   {
@@ -99,7 +100,7 @@ public:
     unsigned int FlatIndex; ///< in the composite
   };
   std::vector<PartType> Parts;
-  std::vector<vtkIdType> Ids;
+  std::optional<std::vector<vtkIdType>> Ids;
   vtkIdType FirstId = 0;
   vtkIdType GetId(vtkIdType index) const;
   std::string DescribePoint(vtkIdType id) const;

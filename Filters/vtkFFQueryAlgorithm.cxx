@@ -97,7 +97,7 @@ int vtkFFQueryAlgorithm::RequestData(
       }
       const double begin = this->Prepare(source, run);
       run.Parts.clear(); // what errors are about from now on is the input
-      run.Ids.clear();
+      run.Ids.reset();
       run.SetBegin(begin);
     });
   return FFBlocks::Run(run, nullptr, true, inputVector, outputVector,

@@ -99,7 +99,7 @@ void FFDistributedTriangulation::Read(const std::vector<FFInput::PieceType>& pie
   }
   FFInput own;
   own.TakePieces(pieces, this->Filter->GetSkipGhostPoints(), this->Run);
-  this->Run.Ids.clear(); // ids count the remaining points
+  this->Run.Ids.reset(); // ids count the remaining points
   for (const auto& piece : own.GetPieces())
   {
     this->Counts[0] += piece->GetNumberOfPoints();
@@ -245,7 +245,7 @@ vtkSmartPointer<vtkPointSet> FFDistributedTriangulation::Gather(const std::strin
       " processes are gathered on one, which triangulates them alone: " + why);
   }
   this->Run.Parts.clear(); // they have their ids
-  this->Run.Ids.clear();
+  this->Run.Ids.reset();
   this->Run.FirstId = 0;
   return all;
 }

@@ -55,7 +55,7 @@ void readPoints(
     pieces.insert(pieces.end(), block.Pieces.begin(), block.Pieces.end());
   }
   input.TakePieces(pieces, filter->GetSkipGhostPoints(), run);
-  run.Ids.clear(); // ids count the remaining points
+  run.Ids.reset(); // ids count the remaining points
   run.Parts.clear();
   std::vector<vtkIdType> sizes;
   auto piece = input.GetPieces().begin();
@@ -82,8 +82,9 @@ void readPoints(
       }
       else if (isOwn)
       {
-        run.Ids.resize(run.Ids.size() + static_cast<std::size_t>(sizes[b]));
-        std::iota(run.Ids.end() - sizes[b], run.Ids.end(), counted);
+        std::vector<vtkIdType>& ids = run.Ids ? *run.Ids : run.Ids.emplace();
+        ids.resize(ids.size() + static_cast<std::size_t>(sizes[b]));
+        std::iota(ids.end() - sizes[b], ids.end(), counted);
       }
       counted += all[process][b];
     }

@@ -100,6 +100,14 @@ void testPlanesAndGhosts()
   skipping.Fail("Point 0 of cell 1 of the source is a ghost point, which is left out. Turn off "
                 "Skip Ghost Points, or take the cell away.",
     vtkFFErrorCode::InputError);
+
+  // All are.
+  const auto ghosts = makePoints(kite);
+  addGhosts(ghosts, { 0, 1, 2, 3 });
+  Run none(ghosts, makeConstraints({ { 1, 3 } }));
+  none.Fail("Point 1 of cell 0 of the source is a ghost point, which is left out. Turn off Skip "
+            "Ghost Points, or take the cell away.",
+    vtkFFErrorCode::InputError);
 }
 
 /// Port 1: parts of a polyline at a point on it, and at a crossing that is split; with the ids of
