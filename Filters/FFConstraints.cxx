@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FFConstraints.h"
 
+#include "FFExactValues.h"
 #include "FFOutput.h"
 #include "FFPlanarInput.h"
 #include "FFRun.h"
@@ -420,6 +421,11 @@ void FFConstraints::Do(const std::optional<FFConstraints>& constraints, const FF
       throw;
     }
     throw FFBadConstraint(text);
+  }
+  catch (const FFInexactValue& error) // what was given is known to be exact
+  {
+    throw std::runtime_error(
+      error.Describe("point " + std::to_string(error.GetIndex()) + " of the source"));
   }
 }
 

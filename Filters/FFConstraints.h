@@ -153,9 +153,9 @@ public:
 
   /**
    * Do what the constraints, if there are some, may be at fault in: then the error is in words that
-   * name their cells.
+   * name their cells, or the point of the source that has a value that no double holds.
    *
-   * @throw FFBadConstraint; all that @p work throws
+   * @throw FFBadConstraint; all else that @p work throws
    */
   static void Do(const std::optional<FFConstraints>& constraints, const FFRun& run,
     const std::function<void()>& work);

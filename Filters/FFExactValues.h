@@ -44,7 +44,8 @@ public:
   {
   }
   const char* what() const noexcept override { return "a value that no double holds"; }
-  const char* GetKind() const { return this->Kind; }
+  /// The sentence for users; @p where is "point 3 of the source".
+  std::string Describe(const std::string& where) const;
   vtkIdType GetIndex() const { return this->Index; }
 
 private:

@@ -110,13 +110,7 @@ FFFailure FFFailure::OfException(const std::function<vtkIdType(vtkIdType)>& idOf
   }
   catch (const FFInexactValue& error)
   {
-    const std::string kind = error.GetKind();
-    failure.Say("A " + kind + " is a 64-bit integer that no double holds: first at " +
-      pointAt(error.GetIndex()) +
-      // Other disks have other radii, but weights may be shifted.
-      (kind == "radius"
-          ? ". Round the radii to doubles."
-          : ". Subtract an offset from every " + kind + ": the result has the same shape."));
+    failure.Say(error.Describe(pointAt(error.GetIndex())));
   }
   catch (const FFBadSetting& error)
   {
