@@ -16,6 +16,7 @@
 #include <iterator>
 #include <new>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -124,9 +125,13 @@ FFFailure FFFailure::OfException(const std::function<vtkIdType(vtkIdType)>& idOf
   {
     failure.Say(noMemory, vtkFFErrorCode::MemoryError);
   }
-  catch (const std::exception& error)
+  catch (const std::runtime_error& error)
   {
     failure.Say(error.what());
+  }
+  catch (const std::exception& error)
+  {
+    failure.Say(error.what(), vtkFFErrorCode::InternalError);
   }
   catch (...)
   {

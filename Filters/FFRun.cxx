@@ -41,21 +41,35 @@ FFRun::FFRun(vtkAlgorithm* filter, const char* title, int threads, Publisher pub
   , Title(title)
   , Publish(std::move(publish))
 {
-  this->Begin(threads);
+  // As vtkFFAlgorithm::SetNumberOfThreads() says; the engine takes 0 for all of the machine's.
+  const bool hasNone = startedSerial && isSerial();
+  this->Options.threads = threads > 0 ? threads
+    : threads < 0 || hasNone          ? 0
+                                      : vtkSMPTools::GetEstimatedNumberOfThreads();
+  if (title)
+  {
+    this->Options.progress = &FFRun::ForwardProgress;
+    this->Options.progressContext = this;
+    this->Options.step = &FFRun::ForwardStep;
+    this->Filter->SetProgressText(title);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <class FilterT>
+FFRun::Publisher FFRun::PublishTo(FilterT* filter)
+{
+  return [filter](const vtkFFReport& report, unsigned long code)
+  {
+    filter->Report = report;
+    filter->ErrorCode = code; // which is no change of the filter
+  };
 }
 
 //------------------------------------------------------------------------------
 FFRun::FFRun(vtkFFAlgorithm* filter, const char* title)
-  : Filter(filter)
-  , Title(title)
-  , Publish(
-      [filter](const vtkFFReport& report, unsigned long code)
-      {
-        filter->Report = report;
-        filter->ErrorCode = code;
-      })
+  : FFRun(filter, title, filter->GetNumberOfThreads(), PublishTo(filter))
 {
-  this->Begin(filter->GetNumberOfThreads());
   // The engine has the same values in the same order.
   this->Options.facets = static_cast<flipflop::FacetMode>(filter->GetFacetMode());
   this->Options.nonFinite = static_cast<flipflop::NonFinitePolicy>(filter->GetNonFinitePoints());
@@ -69,16 +83,8 @@ FFRun::FFRun(vtkFFAlgorithm* filter, const char* title)
 
 //------------------------------------------------------------------------------
 FFRun::FFRun(vtkFFQueryAlgorithm* filter, const char* title)
-  : Filter(filter)
-  , Title(title)
-  , Publish(
-      [filter](const vtkFFReport& report, unsigned long code)
-      {
-        filter->Report = report;
-        filter->ErrorCode = code;
-      })
+  : FFRun(filter, title, filter->GetNumberOfThreads(), PublishTo(filter))
 {
-  this->Begin(filter->GetNumberOfThreads());
   this->Options.nonFinite = static_cast<flipflop::NonFinitePolicy>(filter->GetNonFinitePoints());
 }
 
@@ -107,20 +113,6 @@ FFRun::FFRun(FFRun& whole, std::size_t dataSet, std::size_t count, bool isSilent
   this->Range[0] = whole.Range[0] + static_cast<double>(dataSet) * share;
   this->Range[1] = whole.Range[0] + static_cast<double>(dataSet + 1) * share;
   this->SetPart(0.0, 1.0);
-}
-
-//------------------------------------------------------------------------------
-void FFRun::Begin(int threads)
-{
-  // As vtkFFAlgorithm::SetNumberOfThreads() says; the engine takes 0 for all of the machine's.
-  const bool hasNone = startedSerial && isSerial();
-  this->Options.threads = threads > 0 ? threads
-    : threads < 0 || hasNone          ? 0
-                                      : vtkSMPTools::GetEstimatedNumberOfThreads();
-  this->Options.progress = &FFRun::ForwardProgress;
-  this->Options.progressContext = this;
-  this->Options.step = &FFRun::ForwardStep;
-  this->Filter->SetProgressText(this->Title);
 }
 
 //------------------------------------------------------------------------------
@@ -305,32 +297,38 @@ void FFRun::AddToReport(const flipflop::CellComplex& cells, vtkDataObject* outpu
 }
 
 //------------------------------------------------------------------------------
-void FFRun::ReportFailure(bool aloud)
+void FFRun::SettleReport(bool aloud)
 {
-  for (const std::string& warning : this->Warnings)
-  {
-    vtkWarningWithObjectMacro(this->Filter, << warning);
-  }
   const vtkIdType count = this->Failure.Count;
   this->NameFailure({});
   if (this->Failure.Kind == FFFailure::Other)
   {
     this->Code = this->Failure.Code;
     this->Report = vtkFFReport();
-    if (aloud)
-    {
-      this->Report.NumberOfNonFinitePoints = count;
-      vtkErrorWithObjectMacro(this->Filter, << this->Failure.Message);
-    }
+    this->Report.NumberOfNonFinitePoints = aloud ? count : 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void FFRun::Say(bool aloud) const
+{
+  for (const std::string& warning : this->Warnings)
+  {
+    vtkWarningWithObjectMacro(this->Filter, << warning);
+  }
+  if (aloud && this->Failure.Kind == FFFailure::Other)
+  {
+    vtkErrorWithObjectMacro(this->Filter, << this->Failure.Message);
   }
 }
 
 //------------------------------------------------------------------------------
 void FFRun::Add(FFRun& part, bool aloud)
 {
-  part.ReportFailure(aloud);
+  part.SettleReport(aloud);
   this->Report.Add(part.Report);
   this->Code = part.Code != vtkFFErrorCode::NoError ? part.Code : this->Code;
+  part.Say(aloud);
 }
 
 //------------------------------------------------------------------------------
@@ -338,16 +336,12 @@ int FFRun::Finish(const std::vector<vtkDataObject*>& outputs, bool aloud)
 {
   const bool isAborted = this->Failure.Kind == FFFailure::Aborted;
   const bool areComposites = !outputs.empty() && outputs[0]->IsA("vtkCompositeDataSet");
-  this->ReportFailure(aloud);
+  this->SettleReport(aloud);
   if (isAborted && !areComposites) // what was done of a composite before an abort stays
   {
     this->Report = vtkFFReport();
   }
   this->Publish(this->Report, this->Code);
-  if (!this->Failure)
-  {
-    return 1;
-  }
   if (isAborted)
   {
     // The pipeline is to know that the output is not whole.
@@ -357,11 +351,12 @@ int FFRun::Finish(const std::vector<vtkDataObject*>& outputs, bool aloud)
   }
   for (vtkDataObject* const output : outputs)
   {
-    if (!isAborted || !areComposites)
+    if (this->Failure && (!isAborted || !areComposites))
     {
       output->Initialize();
     }
   }
+  this->Say(aloud);
   return 1;
 }
 VTK_ABI_NAMESPACE_END

@@ -3,11 +3,12 @@
 /**
  * One run of the engine for a filter, from which nothing is thrown.
  *
- * FFRun is made in RequestData(), and lasts as long. It has the engine's options, as the filter's
- * properties say. Progress goes to the filter's observers, and their wish to stop goes to the
- * engine. Whatever is thrown in Do() becomes a failure, with a sentence that names the point by its
- * id in the input; so it knows which points were given to the engine. The report, the failure and
- * the warnings are values of the run. The filter gets them once, from Finish().
+ * FFRun is made where the work begins, in RequestData() for the most part, and lasts as long. It
+ * has the engine's options, as the filter's properties say. Progress goes to the filter's
+ * observers, and their wish to stop goes to the engine. Whatever is thrown in Do() becomes a
+ * failure, with a sentence that names the point by its id in the input; so it knows which points
+ * were given to the engine. The report, the failure and the warnings are values of the run. The
+ * filter gets them once, from Finish().
  */
 
 #ifndef FFRun_h
@@ -51,7 +52,8 @@ public:
   /**
    * A run for that filter, which it does not own, with all of its settings.
    *
-   * @param title what is made, for the progress text: "Convex hull"
+   * @param title what is made, for the progress text: "Convex hull"; null: it is no run of the
+   *        pipeline's, so there is no progress, and nobody stops it
    */
   FFRun(vtkFFAlgorithm* filter, const char* title);
   FFRun(vtkFFQueryAlgorithm* filter, const char* title);
@@ -137,6 +139,11 @@ public:
   ///@}
 
   /**
+   * The part is done: work that follows reports no progress, and can be stopped.
+   */
+  void EndPart() { this->Part[0] = this->Part[1]; }
+
+  /**
    * For work outside of the engine that has these options: report that this share of the part is
    * done.
    *
@@ -169,16 +176,18 @@ public:
   void Add(FFRun& part, bool aloud = true);
 
   /**
-   * The end of RequestData(): a failure becomes the one error, unless it is an abort, and empties
-   * the outputs; the filter gets the report. Always 1: the executive would add a message of its
-   * own.
+   * The end of RequestData(): the filter gets the report, and a failure empties the outputs and
+   * becomes the one error, unless it is an abort. Observers of errors may throw, so these come
+   * last. Always 1: the executive would add a message of its own.
    */
   int Finish(const std::vector<vtkDataObject*>& outputs, bool aloud = true);
 
 private:
-  void Begin(int threads);
   bool IsAbortRequested() const;
-  void ReportFailure(bool aloud);
+  template <class FilterT>
+  static Publisher PublishTo(FilterT* filter);
+  void SettleReport(bool aloud);
+  void Say(bool aloud) const;
   static bool ForwardProgress(double fraction, void* self);
   static void ForwardStep(const char* name, void* self);
 

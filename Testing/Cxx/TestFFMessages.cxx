@@ -7,6 +7,7 @@
 #include "FFRun.h"
 #include "vtkFFHullFilter.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkFFErrorCode.h"
 #include "vtkNew.h"
 
@@ -94,9 +95,42 @@ void testOtherExceptions()
   FF_CHECK_EQUAL(
     said([] { throw std::bad_alloc(); }), "6: There is not enough memory for this input.");
   FF_CHECK_EQUAL(said([] { throw std::runtime_error("What it says."); }), "2: What it says.");
+  FF_CHECK_EQUAL(said([] { throw std::out_of_range("A place."); }), "9: A place.");
   FF_CHECK_EQUAL(said([] { throw 7; }), "9: The engine failed for an unknown reason.");
   FF_CHECK_EQUAL(said([] { throw FFBadSetting("Set it."); }), "1: Set it.");
   FF_CHECK_EQUAL(said([] { throw FFBadConstraint("Mend it."); }), "5: Mend it.");
+}
+
+/// When an observer of the error or of a warning throws, nothing is left of the run, nor of the one
+/// before.
+void testThrowingObserver()
+{
+  for (const bool warns : { false, true })
+  {
+    vtkNew<vtkFFHullFilter> filter;
+    filter->SetInputData(makePoints(cubeCorners()));
+    filter->Update();
+    vtkNew<vtkCallbackCommand> thrower;
+    thrower->SetCallback([](vtkObject*, unsigned long, void*, void*) { throw 7; });
+    filter->AddObserver(warns ? vtkCommand::WarningEvent : vtkCommand::ErrorEvent, thrower);
+    FFRun run(filter, "A test");
+    run.Do([] { throw std::runtime_error("What it says."); });
+    if (warns)
+    {
+      run.Warnings.emplace_back("Mind it.");
+    }
+    bool isThrown = false;
+    try
+    {
+      run.Finish({ filter->GetOutput() });
+    }
+    catch (int)
+    {
+      isThrown = true;
+    }
+    FF_CHECK(isThrown && hasForgotten(filter));
+    FF_CHECK_EQUAL(filter->GetErrorCode(), (unsigned long)vtkFFErrorCode::InputError);
+  }
 }
 
 }
@@ -105,5 +139,6 @@ int TestFFMessages(int, char*[])
 {
   testErrorsOfTheEngine();
   testOtherExceptions();
+  testThrowingObserver();
   return result();
 }
