@@ -109,10 +109,8 @@ void vtkFFHullAlgorithm::WriteHull(const FFHullResult& hull, vtkPolyData* output
 //------------------------------------------------------------------------------
 bool vtkFFHullAlgorithm::GetPlanes(vtkPlanes* planes)
 {
-  FFRun run(this, "Planes", this->GetNumberOfThreads(), // the filter's own run is over
-    [this](const vtkFFReport&, unsigned long code) { this->SetErrorCode(code); });
-  run.Options.progress = nullptr;
-  run.Options.step = nullptr;
+  FFRun run(this, nullptr, this->GetNumberOfThreads(), // the report is the filter's own run's
+    [this](const vtkFFReport&, unsigned long code) { this->ErrorCode = code; });
   run.Do(
     [&]
     {

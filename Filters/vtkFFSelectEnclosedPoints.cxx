@@ -130,9 +130,7 @@ int vtkFFSelectEnclosedPoints::IsInside(vtkIdType inputPointId)
 void vtkFFSelectEnclosedPoints::Initialize(vtkDataObject* surface)
 {
   this->Complete();
-  FFRun run(this, this->GetTitle());
-  run.Options.progress = nullptr; // it is no run of the pipeline's, which could be stopped
-  run.Options.step = nullptr;
+  FFRun run(this, nullptr);
   run.Do(
     [&]
     {
@@ -165,7 +163,7 @@ int vtkFFSelectEnclosedPoints::IsInsideSurface(const double x[3])
   }
   catch (const std::exception& error)
   {
-    this->SetErrorCode(vtkFFErrorCode::InputError);
+    this->ErrorCode = vtkFFErrorCode::InputError; // which is no change of the filter
     vtkErrorMacro(<< error.what());
     return 0;
   }

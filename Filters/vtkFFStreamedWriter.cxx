@@ -144,7 +144,7 @@ int vtkFFStreamedWriter::RequestData(vtkInformation*, vtkInformationVector**, vt
 //------------------------------------------------------------------------------
 void vtkFFStreamedWriter::ForgetReport()
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
+  this->ErrorCode = vtkErrorCode::NoError;
   this->IsWritten = false;
   this->Report = vtkFFReport();
   this->NumberOfCells = 0;
@@ -156,7 +156,7 @@ void vtkFFStreamedWriter::WriteData()
 {
   FFRun run(this, this->Shape == HULL ? "Streamed hull" : "Streamed triangulation",
     this->NumberOfThreads,
-    [this](const vtkFFReport&, unsigned long code) { this->SetErrorCode(code); });
+    [this](const vtkFFReport&, unsigned long code) { this->ErrorCode = code; });
   run.Options.facets = static_cast<flipflop::FacetMode>(this->FacetMode);
   run.Options.nonFinite = static_cast<flipflop::NonFinitePolicy>(this->NonFinitePoints);
   FFStreamedInput input(this, run, this->GetInputInformation());

@@ -125,7 +125,10 @@ void testPlanes()
   {
     hull->SetFacetMode(polygons);
     hull.Run();
+    const vtkMTimeType time = hull->GetMTime();
     FF_CHECK(hull->GetPlanes(planes));
+    FF_CHECK_EQUAL(hull->GetMTime(), time); // it needs no further run
+    FF_CHECK(std::string(hull->GetProgressText()).find("Convex hull") == 0);
     FF_CHECK_EQUAL(planes->GetNumberOfPlanes(), polygons ? 6 : 12);
     FF_CHECK_EQUAL(planes->GetPoints()->GetDataType(), VTK_DOUBLE);
     FF_CHECK_EQUAL(at(planes, 0.5, 0.5, 0.75), -0.25);
@@ -151,7 +154,10 @@ void testNoPlanes()
     }
     planes->SetBounds(0, 1, 0, 1, 0, 1);
     hull.Errors->Clear();
+    const vtkMTimeType time = hull->GetMTime();
     FF_CHECK(!hull->GetPlanes(planes));
+    FF_CHECK_EQUAL(hull->GetMTime(), time);
+    FF_CHECK(input || !hull->GetProgressText());
     FF_CHECK_EQUAL(hull.Errors->Messages.size(), std::size_t(1));
     FF_CHECK(hull.Errors->Has(sentence));
     FF_CHECK_EQUAL(hull->GetErrorCode(), vtkFFErrorCode::InputError);
