@@ -113,7 +113,6 @@ double vtkFFPointInterpolator2D::Prepare(vtkDataObject* data, FFRun& run)
 //------------------------------------------------------------------------------
 void vtkFFPointInterpolator2D::Execute(vtkDataObject* data, vtkDataSet* result, FFRun& run)
 {
-  result->ShallowCopy(data);
   vtkPointData* const output = result->GetPointData();
   const std::pair<bool, vtkFieldData*> passed[] = { { this->PassPointArrays, output },
     { this->PassCellArrays, result->GetCellData() },

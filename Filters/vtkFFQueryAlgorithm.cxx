@@ -4,6 +4,7 @@
 
 #include "FFBlocks.h"
 #include "FFInput.h"
+#include "FFOutput.h"
 #include "FFRun.h"
 #include "vtkFFErrorCode.h"
 
@@ -102,7 +103,11 @@ int vtkFFQueryAlgorithm::RequestData(
     });
   return FFBlocks::Run(run, nullptr, true, inputVector, outputVector,
     [&](vtkDataObject* data, const FFBlocks::Results& results, FFRun& own)
-    { this->Execute(data, vtkDataSet::SafeDownCast(results[0]), own); });
+    {
+      results[0]->ShallowCopy(data);
+      FFOutput::RemoveReport(results[0]->GetFieldData());
+      this->Execute(data, vtkDataSet::SafeDownCast(results[0]), own);
+    });
 }
 
 //------------------------------------------------------------------------------

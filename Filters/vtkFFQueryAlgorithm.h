@@ -6,7 +6,8 @@
  *
  * vtkFFQueryAlgorithm is the abstract superclass of the Flip-Flop filters that query something at
  * each point of their input (port 0), about the points of a second input (port 1). The output is a
- * shallow copy of the input, of the same type, with further point arrays.
+ * shallow copy of the input, of the same type, with further point arrays, and without the field
+ * data in which a Flip-Flop filter reports a run.
  *
  * Either input is any vtkDataSet, or a composite of these. Composite input on port 0 gives a
  * composite of the same structure (get it with GetOutputDataObject()). The points of a composite on
@@ -108,8 +109,8 @@ protected:
   virtual double Prepare(vtkDataObject* source, FFRun& run) = 0;
 
   /**
-   * The queries at one data set: its result depends on settings, data and what was prepared alone.
-   * Threads may call this at the same time.
+   * The queries at one data set: its result, a shallow copy, depends on settings, data and what was
+   * prepared alone. Threads may call this at the same time.
    */
   virtual void Execute(vtkDataObject* data, vtkDataSet* result, FFRun& run) = 0;
 

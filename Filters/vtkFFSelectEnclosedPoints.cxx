@@ -72,7 +72,6 @@ void vtkFFSelectEnclosedPoints::Execute(vtkDataObject* data, vtkDataSet* result,
 {
   FFInput input;
   const vtkIdType count = input.Take(FFBlocks::PiecesOf(data), false, run);
-  result->ShallowCopy(data);
   vtkNew<vtkSignedCharArray> sides;
   sides->SetName("FlipFlopSide");
   sides->SetNumberOfValues(count);

@@ -9,7 +9,9 @@
 #include "vtkFFErrorCode.h"
 #include "vtkFFPointInterpolator2D.h"
 #include "vtkFFSelectEnclosedPoints.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -90,6 +92,34 @@ void testWithoutFieldData()
       of.Filter->Modified();
       FF_CHECK(answersOf(of, points, makePoints(cubeCorners())) == Answers{ 1 });
     }
+  }
+}
+
+/// The report of a filter upstream is not passed on; other field data is.
+void testFieldData()
+{
+  const auto points = makePoints({ { 0.5, 0.5, 0.5 } });
+  for (const char* name : { "FlipFlopVolume", "time", "FlipFlopArea" })
+  {
+    vtkNew<vtkIntArray> array;
+    array->SetName(name);
+    array->InsertNextValue(1);
+    points->GetFieldData()->AddArray(array);
+  }
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, points);
+  for (const Case& of : cases())
+  {
+    answersOf(of, blocks, makePoints(cubeCorners()));
+    const vtkSmartPointer<vtkMultiBlockDataSet> output =
+      vtkMultiBlockDataSet::SafeDownCast(of.Filter->GetOutputDataObject(0));
+    FF_CHECK(answersOf(of, points, makePoints(cubeCorners())) == Answers{ 1 });
+    for (vtkDataObject* data : { of.Filter->GetOutputDataObject(0), output->GetBlock(0) })
+    {
+      FF_CHECK_EQUAL(data->GetFieldData()->GetNumberOfArrays(), 1);
+      FF_CHECK(data->GetFieldData()->HasArray("time"));
+    }
+    FF_CHECK_EQUAL(points->GetFieldData()->GetNumberOfArrays(), 3);
   }
 }
 
@@ -363,6 +393,7 @@ void testChanges(const Case& of)
 int TestFFQueryAlgorithm(int, char*[])
 {
   testWithoutFieldData();
+  testFieldData();
   testComposites();
   testGhosts();
   testPrint();
