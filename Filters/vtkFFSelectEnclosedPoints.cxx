@@ -12,7 +12,7 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkInformationVector.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -103,25 +103,14 @@ void vtkFFSelectEnclosedPoints::Execute(vtkDataObject* data, vtkDataSet* result,
 }
 
 //------------------------------------------------------------------------------
-int vtkFFSelectEnclosedPoints::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  this->SelectedPoints = nullptr;
-  const int done = this->Superclass::RequestData(request, inputVector, outputVector);
-  if (vtkDataSet* const output = vtkDataSet::GetData(outputVector))
-  {
-    this->SelectedPoints = vtkUnsignedCharArray::SafeDownCast(
-      output->GetPointData()->GetAbstractArray("SelectedPoints"));
-  }
-  return done;
-}
-
-//------------------------------------------------------------------------------
 int vtkFFSelectEnclosedPoints::IsInside(vtkIdType inputPointId)
 {
-  return this->SelectedPoints && inputPointId >= 0 &&
-      inputPointId < this->SelectedPoints->GetNumberOfValues()
-    ? this->SelectedPoints->GetValue(inputPointId)
+  vtkDataSet* const output = vtkDataSet::GetData(this->GetOutputInformation(0));
+  auto* const selected = output
+    ? vtkUnsignedCharArray::SafeDownCast(output->GetPointData()->GetAbstractArray("SelectedPoints"))
+    : nullptr;
+  return selected && inputPointId >= 0 && inputPointId < selected->GetNumberOfValues()
+    ? selected->GetValue(inputPointId)
     : 0;
 }
 
@@ -172,7 +161,6 @@ int vtkFFSelectEnclosedPoints::IsInsideSurface(const double x[3])
 void vtkFFSelectEnclosedPoints::Complete()
 {
   this->Prepared.reset();
-  this->SelectedPoints = nullptr;
 }
 
 //------------------------------------------------------------------------------

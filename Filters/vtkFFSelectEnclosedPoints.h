@@ -34,14 +34,12 @@
 #include "vtkFFMarks.h" // For VTK_MARSHALAUTO
 #include "vtkFFQueryAlgorithm.h"
 #include "vtkFiltersFlipFlopModule.h" // For export macro
-#include "vtkSmartPointer.h"          // For vtkSmartPointer
 
 #include <memory> // For std::unique_ptr
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;
 class vtkDataObject;
-class vtkUnsignedCharArray;
 struct FFPreparedHull;
 
 class VTKFILTERSFLIPFLOP_EXPORT VTK_MARSHALAUTO vtkFFSelectEnclosedPoints
@@ -89,8 +87,8 @@ public:
   ///@}
 
   /**
-   * Whether the last run selected this point of the input (1) or not (0). 0 also for a point that
-   * does not exist, and for a composite of several data sets.
+   * Whether the last run selected this point of the input (1) or not (0): what its output says, as
+   * long as that is there. 0 also for a point that does not exist, and for a composite.
    */
   int IsInside(vtkIdType inputPointId);
 
@@ -115,8 +113,6 @@ protected:
   vtkFFSelectEnclosedPoints();
   ~vtkFFSelectEnclosedPoints() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
   double Prepare(vtkDataObject* surface, FFRun& run) override;
   void Execute(vtkDataObject* data, vtkDataSet* result, FFRun& run) override;
   const char* GetTitle() const override { return "Points in convex hull"; }
@@ -131,8 +127,7 @@ private:
 
   bool IsEnclosed(int side) const { return side >= (this->SelectPointsOnSurface ? 0 : 1); }
 
-  std::unique_ptr<const FFPreparedHull> Prepared;       ///< null: there is none
-  vtkSmartPointer<vtkUnsignedCharArray> SelectedPoints; ///< of the last run
+  std::unique_ptr<const FFPreparedHull> Prepared; ///< null: there is none
 };
 VTK_ABI_NAMESPACE_END
 

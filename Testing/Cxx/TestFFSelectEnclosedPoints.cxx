@@ -212,13 +212,22 @@ void testSurfaces()
   blocks->SetBlock(1, makePoints(queries));
   filter->SetInputData(blocks);
   FF_CHECK(succeeds(filter) && !filter->IsInside(0));
+  // What the last run selected, the output has, as long as it is there.
+  filter->SetInputData(makePoints({ { 0.5, 0.5, 0.5 } }));
+  FF_CHECK(succeeds(filter) && filter->IsInside(0));
+  filter->Complete();
+  FF_CHECK(filter->IsInside(0));
+  filter->GetOutput()->Initialize();
+  FF_CHECK(!filter->IsInside(0));
 }
 
 void testSinglePoints()
 {
   vtkNew<Filter> filter;
   const auto errors = ErrorObserver::Of(filter);
+  const vtkMTimeType time = filter->GetMTime();
   FF_CHECK_EQUAL(filter->IsInsideSurface(0.5, 0.5, 0.5), 0);
+  FF_CHECK_EQUAL(filter->GetMTime(), time);
   FF_CHECK(
     errors->Has("There is no surface to ask about: call Initialize() or update the filter first."));
   errors->Clear();
