@@ -28,6 +28,7 @@
 #include <ios>
 #include <numeric>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -118,13 +119,25 @@ int vtkFFStreamedWriter::Write()
 {
   this->IsTried = false;
   this->ForgetReport();
-  this->Superclass::Write();
-  if (!this->IsTried && this->GetNumberOfInputConnections(0) > 0)
+  const bool hasInput = this->GetNumberOfInputConnections(0) > 0;
+  if (hasInput)
   {
-    FFRun run(this, "", this->NumberOfThreads,
-      [this](const vtkFFReport&, unsigned long code) { this->SetErrorCode(code); });
-    vtkInformation* const input = this->GetInputInformation();
-    run.Do([&] { FFInputPieces::Check(input, false); });
+    this->Superclass::Write();
+  }
+  if (!this->IsTried)
+  {
+    FFRun run(this, nullptr, this->NumberOfThreads,
+      [this](const vtkFFReport&, unsigned long code) { this->ErrorCode = code; });
+    vtkInformation* const input = hasInput ? this->GetInputInformation() : nullptr;
+    run.Do(
+      [&]
+      {
+        if (!hasInput)
+        {
+          throw std::runtime_error("There is no input. Set one.");
+        }
+        FFInputPieces::Check(input, false);
+      });
     const int count = FFInputPieces::Count(input, this->NumberOfPieces);
     run.NameFailure(count > 1 ? FFInputPieces::Describe(0, count) : std::string());
     run.Finish({});

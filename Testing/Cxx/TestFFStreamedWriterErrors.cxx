@@ -212,6 +212,8 @@ void testNames()
   const auto errors = ErrorObserver::Of(alone);
   FF_CHECK_EQUAL(alone->Write(), 0);
   FF_CHECK_EQUAL(errors->Messages.size(), std::size_t(1));
+  FF_CHECK(errors->Has("There is no input. Set one."));
+  FF_CHECK_EQUAL(alone->GetErrorCode(), (unsigned long)vtkFFErrorCode::InputError);
 }
 
 /// Something else is where a block belongs, or the list of blocks.
