@@ -332,7 +332,8 @@ vtkDataArray* FFWeightSource::FindArray(vtkAlgorithm* filter, vtkDataSet* points
   }
   else if (!array)
   {
-    wrong << "is missing from the " << owner << "'s point data";
+    wrong << "is missing from " << (ofWhat.empty() ? "the " + owner + "'s" : "its")
+          << " point data";
   }
   else if (!numbers)
   {

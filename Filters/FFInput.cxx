@@ -162,7 +162,7 @@ vtkSmartPointer<vtkPoints> layOut(vtkRectilinearGrid* grid, const std::string& o
 }
 
 /// The points that are no duplicates of another piece's, and not hidden; null: all.
-vtkSmartPointer<vtkIdTypeArray> idsWithoutGhosts(vtkPointSet* piece)
+vtkSmartPointer<vtkIdTypeArray> idsWithoutGhosts(vtkPointSet* piece, const std::string& ofWhat)
 {
   vtkUnsignedCharArray* const marks = piece->GetPointGhostArray();
   const vtkIdType count = piece->GetNumberOfPoints();
@@ -173,7 +173,7 @@ vtkSmartPointer<vtkIdTypeArray> idsWithoutGhosts(vtkPointSet* piece)
   if (marks->GetNumberOfValues() != count)
   {
     throw std::runtime_error(std::string("The point array ") +
-      vtkDataSetAttributes::GhostArrayName() + " has " +
+      vtkDataSetAttributes::GhostArrayName() + ofWhat + " has " +
       std::to_string(marks->GetNumberOfValues()) + " value(s) for " + std::to_string(count) +
       " point(s). Mend or remove it, or turn off Skip Ghost Points.");
   }
@@ -191,14 +191,17 @@ vtkSmartPointer<vtkIdTypeArray> idsWithoutGhosts(vtkPointSet* piece)
 
 /// Leaves out the ghosts among the pieces' points. Returns the ids of the others among all points;
 /// none, if all remain.
-std::optional<std::vector<vtkIdType>> skipGhosts(std::vector<vtkSmartPointer<vtkPointSet>>& pieces)
+/// @param names how errors name the pieces
+std::optional<std::vector<vtkIdType>> skipGhosts(
+  std::vector<vtkSmartPointer<vtkPointSet>>& pieces, const std::vector<std::string>& names)
 {
   std::optional<std::vector<vtkIdType>> ids;
   vtkIdType begin = 0;
-  for (auto& piece : pieces)
+  for (std::size_t k = 0; k < pieces.size(); ++k)
   {
+    vtkSmartPointer<vtkPointSet>& piece = pieces[k];
     const vtkIdType size = piece->GetNumberOfPoints();
-    const auto own = idsWithoutGhosts(piece);
+    const auto own = idsWithoutGhosts(piece, names[k]);
     if (own && !ids)
     {
       ids.emplace(static_cast<std::size_t>(begin));
@@ -280,6 +283,26 @@ void FFInput::RequestAll(vtkInformation* input)
 }
 
 //------------------------------------------------------------------------------
+std::string FFInput::NameOf(const PieceType& piece, const FFRun& run, const std::string& ofInput)
+{
+  return piece.IsBlock ? " of the block of flat index " + std::to_string(piece.FlatIndex) + ofInput
+    : ofInput.empty()  ? run.OfWhat()
+                       : ofInput;
+}
+
+//------------------------------------------------------------------------------
+void FFInput::CheckPoints(vtkPointSet* points, const std::string& ofWhat)
+{
+  const int size =
+    points->GetPoints() ? points->GetPoints()->GetData()->GetNumberOfComponents() : 3;
+  if (size != 3)
+  {
+    throw std::runtime_error("The points" + ofWhat + " have " + std::to_string(size) +
+      " coordinates each; a point has 3.");
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkIdType FFInput::Take(
   const std::vector<PieceType>& pieces, bool skipGhosts, FFRun& run, const std::string& ofInput)
 {
@@ -292,22 +315,14 @@ vtkIdType FFInput::Take(
 vtkIdType FFInput::TakePieces(const std::vector<PieceType>& pieces, bool areGhostsSkipped,
   FFRun& run, const std::string& ofInput)
 {
+  std::vector<std::string> names;
   vtkIdType count = 0;
   for (const PieceType& piece : pieces)
   {
-    const std::string ofWhat = piece.IsBlock
-      ? " of the block of flat index " + std::to_string(piece.FlatIndex) + ofInput
-      : ofInput.empty() ? run.OfWhat()
-                        : ofInput;
+    const std::string& ofWhat = names.emplace_back(NameOf(piece, run, ofInput));
     this->Pieces.push_back(PointsOf(piece.Data, ofWhat));
     vtkPointSet* const points = this->Pieces.back();
-    const int size =
-      points->GetPoints() ? points->GetPoints()->GetData()->GetNumberOfComponents() : 3;
-    if (size != 3)
-    {
-      throw std::runtime_error("The points" + ofWhat + " have " + std::to_string(size) +
-        " coordinates each; a point has 3.");
-    }
+    CheckPoints(points, ofWhat);
     count += points->GetNumberOfPoints();
     if (piece.IsBlock || !ofInput.empty())
     {
@@ -316,7 +331,7 @@ vtkIdType FFInput::TakePieces(const std::vector<PieceType>& pieces, bool areGhos
   }
   if (areGhostsSkipped)
   {
-    run.Ids = skipGhosts(this->Pieces);
+    run.Ids = skipGhosts(this->Pieces, names);
   }
   return count;
 }

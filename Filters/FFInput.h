@@ -45,6 +45,13 @@ public:
    */
   static vtkSmartPointer<vtkPointSet> PointsOf(vtkDataObject* data, const std::string& ofWhat);
 
+  ///@{
+  /// How errors name a data set of an input, or of that of a run: " of the block of flat index 2 of
+  /// the surface"; and an error unless its points have three coordinates each.
+  static std::string NameOf(const PieceType& piece, const FFRun& run, const std::string& ofInput);
+  static void CheckPoints(vtkPointSet* points, const std::string& ofWhat);
+  ///@}
+
   /// Ask for all of an input, whatever part of an output is asked for. Null: there is none.
   static void RequestAll(vtkInformation* input);
 

@@ -84,7 +84,15 @@ double vtkFFPointInterpolator2D::Prepare(vtkDataObject* data, FFRun& run)
   this->Prepared.reset();
   run.NonFiniteWhat = "A coordinate or a weight";
   FFInput input;
-  input.Take(FFBlocks::PiecesOf(data), this->SkipGhostPoints, run, " of the source");
+  const std::vector<FFInput::PieceType> blocks = FFBlocks::PiecesOf(data);
+  for (const FFInput::PieceType& block : blocks) // as FFPlanarInput::Take()
+  {
+    if (auto* const raw = vtkDataSet::SafeDownCast(block.Data))
+    {
+      FFWeightSource::FindArray(this, raw, FFInput::NameOf(block, run, " of the source"), "source");
+    }
+  }
+  input.Take(blocks, this->SkipGhostPoints, run, " of the source");
   const std::vector<vtkPointSet*> pieces(input.GetPieces().begin(), input.GetPieces().end());
   vtkSmartPointer<vtkPointSet> source = vtkSmartPointer<vtkPolyData>::New();
   if (!pieces.empty())

@@ -8,6 +8,7 @@
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFFErrorCode.h"
+#include "vtkFFSelectEnclosedPoints.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -142,6 +143,20 @@ void testAllBlocks()
   const vtkIdType last = vtkIdType(ids.size()) - 1;
   FF_CHECK(index && index->GetTuple1(last - 1) == 1 && index->GetTuple1(last) == 2);
   FF_CHECK(visible && visible->GetTuple1(last) == 8);
+
+  // One without a mark for each point is named.
+  markPoints(vtkDataSet::SafeDownCast(blocks->GetBlock(1)), { 0, hidden }, false);
+  FF_CHECK(failsInPart((hull->Modified(), hull), vtkFFErrorCode::InputError,
+    { "The point array vtkGhostType of the block of flat index 2 has 2 value(s) for 1 "
+      "point(s)." }));
+  hull->SetCompositeMode(vtkFFHullFilter::HULL_OF_EACH_BLOCK);
+  FF_CHECK(failsInPart(hull, vtkFFErrorCode::InputError,
+    { "The point array vtkGhostType of data set 1 of the composite has 2 value(s)" }));
+  vtkNew<vtkFFSelectEnclosedPoints> queries;
+  queries->SetInputData(makePoints(cubeCorners()));
+  queries->SetSurfaceData(blocks->GetBlock(1));
+  FF_CHECK(failsInPart(queries, vtkFFErrorCode::InputError,
+    { "The point array vtkGhostType of the surface has 2 value(s) for 1 point(s)." }));
 }
 
 /// Marks of points mean other things for cells, so they are translated. Points that are counted all

@@ -224,6 +224,27 @@ void testInterpolator()
   filter->SetSourceData(makeWeighted(points, radii));
   FF_CHECK(failsInPart(filter, vtkFFErrorCode::InputError,
     { "A radius is negative: first at point 9 of the source." }));
+
+  // An array is looked at as it came, also beside ghosts, which could take it along.
+  const auto fail = [&](vtkDataObject* source, const std::string& words)
+  {
+    filter->SetSourceData(source);
+    FF_CHECK(failsInPart(filter, vtkFFErrorCode::InputError, { words }));
+  };
+  const auto good = makeWeighted(points, weights);
+  const auto bad = makeWeighted(points, weights);
+  addGhosts(bad, { 1 });
+  bad->GetPointData()->GetArray("weights")->SetNumberOfTuples(5);
+  const std::string array = "The weights' array \"weights\" of the ";
+  fail(bad, array + "source has 5 value(s) for 400 point(s).");
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, good);
+  blocks->SetBlock(1, bad);
+  fail(blocks, array + "block of flat index 2 of the source has 5 value(s) for 400 point(s).");
+  bad->GetPointData()->RemoveArray("weights");
+  blocks->Modified();
+  fail(blocks, array + "block of flat index 2 of the source is missing from its point data.");
+  fail(bad, array + "source is missing from its point data.");
 }
 
 }
