@@ -3,6 +3,7 @@
 #include "FFConstraints.h"
 
 #include "FFExactValues.h"
+#include "FFInput.h"
 #include "FFOutput.h"
 #include "FFPlanarInput.h"
 #include "FFRun.h"
@@ -108,6 +109,7 @@ FFConstraints::FFConstraints(const SettingsType& settings, vtkPolyData* source, 
   , Input(input)
   , Given(given)
 {
+  FFInput::CheckPoints(source, " of the source");
   for (vtkCellArray* cells : { source->GetLines(), source->GetPolys() })
   {
     const std::string fault = FFSurfaceCells::DescribeOffsets(cells, "source's cells");

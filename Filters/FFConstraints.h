@@ -63,8 +63,8 @@ public:
    * @param given  ids of those of these points that the engine was given, ascending; without: it
    *               was given all
    * @param options of the search for closed lines
-   * @throw std::runtime_error where a cell names a point that is not there, or that should be the
-   *                           input's, and has other coordinates
+   * @throw std::runtime_error for points that are none in space; where a cell names a point that is
+   *                           not there, or that should be the input's, and has other coordinates
    */
   FFConstraints(const SettingsType& settings, vtkPolyData* source, vtkDataSet* input,
     const std::optional<std::vector<vtkIdType>>& given, const flipflop::Options& options = {});
@@ -195,7 +195,7 @@ private:
   const SettingsType Settings;
   vtkPolyData* const Source;
   vtkDataSet* const Input;
-  const std::optional<std::vector<vtkIdType>>& Given;
+  const std::optional<std::vector<vtkIdType>> Given; // a copy: the run's ids change
   bool IsOwn = false;
   std::vector<std::int64_t> Ends;
   std::vector<vtkIdType> CellIds;      // of each constraint

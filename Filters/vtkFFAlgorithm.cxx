@@ -3,6 +3,7 @@
 #include "vtkFFAlgorithm.h"
 
 #include "FFBlocks.h"
+#include "FFInput.h"
 #include "FFRun.h"
 #include "vtkFFErrorCode.h"
 
@@ -12,6 +13,7 @@
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 
 #include <atomic>
 
@@ -74,6 +76,18 @@ vtkTypeBool vtkFFAlgorithm::ProcessRequest(
     this->ErrorCode = vtkFFErrorCode::NoError; // which is no change of the filter
   }
   return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkFFAlgorithm::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int done = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  for (int port = 1; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    FFInput::RequestAll(inputVector[port]->GetInformationObject(0));
+  }
+  return done;
 }
 
 //------------------------------------------------------------------------------

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines and polygons of a second input are edges of the triangulation, which port 1 has, and
 // polygons define what is inside.
+#include "FFPieceSource.h"
 #include "FFPlanar.h"
 
 #include "vtkFFRegularTriangulationFilter.h"
+#include "vtkFFTerrainMeshFilter.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkTransform.h"
@@ -217,6 +219,30 @@ void testPointsOfTheSource()
   Run turned(input, with(kite));
   turned->SetTransform(transform);
   FF_CHECK(polysOf(turned.Watched::Run()) == across);
+  // An array that became another after the points took it, whosever they are.
+  for (const int whose : { Filter::AUTOMATIC_POINTS, Filter::INPUT_POINTS, Filter::OWN_POINTS })
+  {
+    const auto source = with(kite);
+    source->GetPoints()->GetData()->SetNumberOfComponents(2);
+    Run flat(input, source);
+    flat->SetSourcePoints(whose);
+    flat.Fail("The points of the source have 2 coordinates each; a point has 3.",
+      vtkFFErrorCode::InputError);
+  }
+}
+
+/// Of whatever piece of the input, all of the source is asked for.
+template <class FilterT>
+void testPieces()
+{
+  const auto source = makeConstraints({ { 0, 2 } });
+  vtkNew<PieceSource> pieces;
+  pieces->SetMaker([&](int, int) { return source; });
+  Watched<FilterT> run(makePoints(kite));
+  run->SetInputConnection(1, pieces->GetOutputPort());
+  run->UpdatePiece(1, 2, 0);
+  FF_CHECK(run.Errors->Messages.empty());
+  FF_CHECK((pieces->Asked == std::vector<std::pair<int, int>>{ { 0, 1 } }));
 }
 
 /// The words are in Documentation/Messages.md, and TestMessages.py compares them.
@@ -278,6 +304,8 @@ int TestFFConstraints(int, char*[])
   testPlanesAndGhosts();
   testRules();
   testPointsOfTheSource();
+  testPieces<Filter>();
+  testPieces<vtkFFTerrainMeshFilter>();
   testErrors();
   return result();
 }

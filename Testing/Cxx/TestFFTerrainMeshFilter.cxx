@@ -8,6 +8,7 @@
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkFFTerrainMeshFilter.h"
 #include "vtkPointData.h"
+#include "vtkTypeInt64Array.h"
 
 #include <cmath>
 #include <limits>
@@ -403,9 +404,28 @@ void testOwnHeights()
   FF_CHECK_EQUAL(data->GetArray("depth")->GetComponent(5, 0), 4.0);
   FF_CHECK_EQUAL(data->GetArray("HeightRange")->GetComponent(5, 1), 4.0);
   FF_CHECK((originalIds(run->GetOutput(1)) == Ids{ 4 }));
+  vtkNew<vtkTypeInt64Array> wide;
+  wide->SetName("depth");
+  wide->InsertNextValue(4);
+  wide->InsertNextValue((vtkTypeInt64(1) << 53) + 1);
+  source->GetPointData()->AddArray(wide);
+  for (const bool hasGhost : { false, true })
+  {
+    if (hasGhost)
+    {
+      addGhosts(input, { 0 });
+    }
+    run.Fail("A height is a 64-bit integer that no double holds: first at point 1 of the source. "
+             "Subtract an offset from every height: the result has the same shape.",
+      vtkFFErrorCode::InputError);
+  }
   source->GetPointData()->RemoveArray("depth");
   run.Fail("The heights' array \"depth\" is missing from the source's point data.",
     vtkFFErrorCode::InputError);
+  run->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "None");
+  source->GetPoints()->GetData()->SetNumberOfComponents(2);
+  run.Fail(
+    "The points of the source have 2 coordinates each; a point has 3.", vtkFFErrorCode::InputError);
 }
 
 }
