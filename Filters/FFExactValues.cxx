@@ -268,15 +268,15 @@ vtkSmartPointer<vtkPoints> FFPointSource::Gather(const std::int64_t* ids, vtkIdT
 FFWeightSource::FFWeightSource(
   vtkDataArray* array, const flipflop::WeightRule& rule, const char* noun)
 {
+  if (!array)
+  {
+    return;
+  }
   if (!std::isfinite(rule.factor))
   {
     std::ostringstream message;
     message << "Weight Factor is " << rule.factor << "; it must be finite.";
     throw FFBadSetting(message.str());
-  }
-  if (!array)
-  {
-    return;
   }
   this->Read({ array }, rule.areRadii ? "radius" : noun);
   if (!rule.isIdentity())

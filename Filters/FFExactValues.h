@@ -103,7 +103,7 @@ class FFWeightSource : public FFValueSource<flipflop::WeightView>
 {
 public:
   /**
-   * @param array null: no weights
+   * @param array null: no weights, and the rule does not matter
    * @param noun  what errors call a value
    * @throw flipflop::Error as computeWeights(); FFBadSetting for a factor that is not finite.
    */
