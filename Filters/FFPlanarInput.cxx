@@ -81,6 +81,10 @@ void FFPlanarInput::Take(vtkDataObject* data)
 void FFPlanarInput::SetPoints(vtkPointSet* points)
 {
   this->Points = points;
+  if (this->Positions.empty())
+  {
+    this->Plane = {}; // it is a view of the points before
+  }
   this->Space.emplace(std::vector<vtkPointSet*>{ points });
 }
 
@@ -299,6 +303,7 @@ void FFPlanarInput::LookForVerticalPlane(const flipflop::Triangulation& triangul
   {
     return;
   }
+  this->Run.EndPart();
   std::vector<std::array<double, 3>> points;
   for (const auto* ids : { &triangulation.pointIds, &triangulation.hiddenIds })
   {
@@ -337,18 +342,22 @@ flipflop::Hull FFPlanarInput::HullInSpace(
   const std::vector<std::array<double, 3>>& points, const flipflop::Options& chosen)
 {
   flipflop::Options options = chosen;
-  options.progress = nullptr;
   options.step = nullptr;
-  return flipflop::convexHull(
-    { points.data()->data(), static_cast<std::int64_t>(points.size()) }, options);
+  const double* const first = points.empty() ? nullptr : points.front().data();
+  return flipflop::convexHull({ first, static_cast<std::int64_t>(points.size()) }, options);
 }
 
 //------------------------------------------------------------------------------
 void FFPlanarInput::WarnOfVerticalPlane() const
 {
-  this->Run.Warnings.push_back("The points" + this->Run.OfWhat() +
+  const std::string warning = "The points" + this->Run.OfWhat() +
     (this->Transform ? " are on a line after the Transform, and were not before."
                      : " are in one vertical plane, so in the XY plane they are on a line.") +
-    " To triangulate them in their own plane, set Projection Plane Mode to Best-Fitting Plane.");
+    " To triangulate them in their own plane, set Projection Plane Mode to Best-Fitting Plane.";
+  std::vector<std::string>& all = this->Run.Warnings;
+  if (std::find(all.begin(), all.end(), warning) == all.end()) // else it was found out before
+  {
+    all.push_back(warning);
+  }
 }
 VTK_ABI_NAMESPACE_END

@@ -57,7 +57,8 @@ public:
   /**
    * The parts of Take(): have these points, and their data; the array of weights that was chosen,
    * among that data; weights by that array, or none; the points in the filter's plane, or in this
-   * one, or in that of other points of the filter, or given as x and y.
+   * one, or in that of other points of the filter, or given as x and y. Other points have no
+   * positions in the plane, unless these were computed or given.
    *
    * @throw flipflop::Error Aborted, OutOfMemory
    */
@@ -130,8 +131,8 @@ public:
     const flipflop::Options& options, flipflop::CellComplex& cells);
 
   ///@{
-  /// A line in the XY plane may be a plane in space: then a warning says so. And its parts: the
-  /// hull of points in space; the warning.
+  /// A line in the XY plane may be a plane in space: then a warning says so, once. And its parts:
+  /// the hull of points in space, which ends with an abort; the warning.
   void LookForVerticalPlane(const flipflop::Triangulation& triangulation) const;
   static flipflop::Hull HullInSpace(
     const std::vector<std::array<double, 3>>& points, const flipflop::Options& options);

@@ -164,6 +164,7 @@ std::vector<FFDistributedCells::Point> FFDistributedTriangulation::TakePoints()
 //------------------------------------------------------------------------------
 void FFDistributedTriangulation::LookForVerticalPlane()
 {
+  this->Run.EndPart();
   // The hull of the hulls is the hull.
   std::vector<std::array<double, 3>> points;
   this->Input.VisitPoints(

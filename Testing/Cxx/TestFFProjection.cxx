@@ -5,6 +5,8 @@
 // ends a transform of points.
 #include "FFPlanar.h"
 
+#include "FFPlanarInput.h"
+#include "FFRun.h"
 #include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkMath.h"
@@ -185,10 +187,29 @@ void testFilterStops()
   FF_CHECK(transform->Calls < pointCount);
 }
 
+/// Positions in the plane that are read in place do not outlive the points.
+void testOtherPoints()
+{
+  vtkNew<vtkFFRegularTriangulationFilter> filter;
+  FFRun run(filter, "A test");
+  FFPlanarInput input(filter, run);
+  input.SetPoints(makePoints(randomPoints(5, 1)));
+  input.Project();
+  FF_CHECK(input.GetPlane().data == input.GetSpace().data);
+  input.SetPoints(makePoints(randomPoints(3, 2)));
+  FF_CHECK_EQUAL(input.GetPlane().count, 0);
+  flipflop::Buffer<double> positions(6);
+  std::fill(positions.begin(), positions.end(), 1.0);
+  input.SetPositions(std::move(positions));
+  input.SetPoints(makePoints(randomPoints(3, 4)));
+  FF_CHECK_EQUAL(input.GetPlane().count, 3);
+}
+
 }
 
 int TestFFProjection(int, char*[])
 {
+  testOtherPoints();
   testPlanes();
   testVerticalPlane<vtkFFRegularTriangulationFilter>();
   testVerticalPlane<vtkFFPowerDiagramFilter>();
