@@ -139,8 +139,9 @@ std::string FFInexactValue::Describe(const std::string& where) const
   const std::string kind = this->Kind;
   return "A " + kind + " is a 64-bit integer that no double holds: first at " + where +
     // Other disks have other radii, but weights may be shifted.
-    (kind == "radius" ? ". Round the radii to doubles."
-                      : ". Subtract an offset from every " + kind + ": the result has the same shape.");
+    (kind == "radius"
+        ? ". Round the radii to doubles."
+        : ". Subtract an offset from every " + kind + ": the result has the same shape.");
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 #include "vtkPoints.h"
 #include "vtkStringArray.h"
 #include "vtkTransform.h"
+#include "vtkTypeInt64Array.h"
 
 #include <cmath>
 
@@ -192,6 +193,28 @@ void testWhosePoints()
   FF_CHECK((originalIds(skipping.Watched::Run()) == Ids{ 0, 2, 3, -1, -1 }));
 }
 
+/// A value that no double holds is the source's, also where the input's ids are others than places.
+void testWideIntegers()
+{
+  vtkNew<vtkTypeInt64Array> wide;
+  wide->SetNumberOfComponents(3);
+  for (const vtkTypeInt64 x : { vtkTypeInt64(1), (vtkTypeInt64(1) << 53) + 1 })
+  {
+    wide->InsertNextTypedTuple(std::array<vtkTypeInt64, 3>{ x, 2, 3 }.data());
+  }
+  const auto source = makeConstraints({ { 0, 1 } }, {}, makePoints(wide)->GetPoints());
+  const auto ghosts = makePoints(corners);
+  addGhosts(ghosts, { 0, 1 });
+  for (const auto& input : { makePoints(corners), ghosts })
+  {
+    Run run(input, source);
+    run->SetSourcePoints(Filter::OWN_POINTS);
+    run.Fail("A coordinate is a 64-bit integer that no double holds: first at point 1 of the "
+             "source. Subtract an offset from every coordinate: the result has the same shape.",
+      vtkFFErrorCode::InputError);
+  }
+}
+
 /// Closed lines are borders on request, closed by an id or by a position.
 void testBorders()
 {
@@ -243,6 +266,7 @@ int TestFFOwnPoints(int, char*[])
   testHeightsAndMarks();
   testData();
   testWhosePoints();
+  testWideIntegers();
   testBorders();
   return result();
 }
