@@ -15,7 +15,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
-#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -59,7 +58,7 @@ std::string toText(double number)
   return text.str();
 }
 
-std::string positionOf(vtkDataSet* data, vtkIdType i)
+std::string positionOf(vtkPointSet* data, vtkIdType i)
 {
   double point[3];
   data->GetPoint(i, point);
@@ -67,7 +66,7 @@ std::string positionOf(vtkDataSet* data, vtkIdType i)
 }
 
 /// Whether a point of both has the same coordinates. NaN is the same as NaN.
-bool isSame(vtkDataSet* a, vtkDataSet* b, vtkIdType point, int dimensions)
+bool isSame(vtkPointSet* a, vtkPointSet* b, vtkIdType point, int dimensions)
 {
   double p[3], q[3];
   a->GetPoint(point, p);
@@ -102,7 +101,7 @@ double shareOf(const double* a, const double* b, const double* q)
 }
 
 //------------------------------------------------------------------------------
-FFConstraints::FFConstraints(const SettingsType& settings, vtkPolyData* source, vtkDataSet* input,
+FFConstraints::FFConstraints(const SettingsType& settings, vtkPolyData* source, vtkPointSet* input,
   const std::optional<std::vector<vtkIdType>>& given, const flipflop::Options& options)
   : Settings(settings)
   , Source(source)
@@ -167,7 +166,7 @@ bool FFConstraints::FindOwnPoints() const
 //------------------------------------------------------------------------------
 void FFConstraints::FindRings(const flipflop::Options& options)
 {
-  vtkDataSet* const points = this->IsOwn ? static_cast<vtkDataSet*>(this->Source) : this->Input;
+  vtkPointSet* const points = this->IsOwn ? this->Source : this->Input;
   std::vector<double> corners;
   std::vector<std::int64_t> offsets(1, 0);
   this->EachCell(

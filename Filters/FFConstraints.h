@@ -35,7 +35,6 @@ class Error;
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
-class vtkDataSet;
 class vtkFieldData;
 class vtkIdList;
 class vtkInformationVector;
@@ -59,14 +58,15 @@ public:
 
   /**
    * @param source whose cells are read
-   * @param input  the data set whose points ids may name
+   * @param input  the points that ids may name: all of the input's, with the bits that FFInput gives
+   *               those of an image
    * @param given  ids of those of these points that the engine was given, ascending; without: it
    *               was given all
    * @param options of the search for closed lines
    * @throw std::runtime_error for points that are none in space; where a cell names a point that is
    *                           not there, or that should be the input's, and has other coordinates
    */
-  FFConstraints(const SettingsType& settings, vtkPolyData* source, vtkDataSet* input,
+  FFConstraints(const SettingsType& settings, vtkPolyData* source, vtkPointSet* input,
     const std::optional<std::vector<vtkIdType>>& given, const flipflop::Options& options = {});
   FFConstraints(const FFConstraints&) = delete;
   void operator=(const FFConstraints&) = delete;
@@ -194,7 +194,7 @@ private:
 
   const SettingsType Settings;
   vtkPolyData* const Source;
-  vtkDataSet* const Input;
+  vtkPointSet* const Input;
   const std::optional<std::vector<vtkIdType>> Given; // a copy: the run's ids change
   bool IsOwn = false;
   std::vector<std::int64_t> Ends;

@@ -63,18 +63,20 @@ FFPlanarInput::FFPlanarInput(vtkFFPlanarAlgorithm* filter, FFRun& run)
 }
 
 //------------------------------------------------------------------------------
-void FFPlanarInput::Take(vtkDataObject* data)
+vtkSmartPointer<vtkPointSet> FFPlanarInput::Take(vtkDataObject* data)
 {
-  FFInput input;
   // Weights are judged as they came: an array that does not fit does not go along with its points.
   if (auto* const points = vtkDataSet::SafeDownCast(data))
   {
     this->FindWeights(points);
   }
-  input.TakePieces(FFBlocks::PiecesOf(data), this->Filter->GetSkipGhostPoints(), this->Run);
+  vtkSmartPointer<vtkPointSet> whole = FFInput::PointsOf(data, this->Run.OfWhat());
+  FFInput input;
+  input.TakePieces({ { whole } }, this->Filter->GetSkipGhostPoints(), this->Run);
   this->SetPoints(input.GetPieces()[0]);
   this->SetWeights(this->FindWeights(this->Points));
   this->Project();
+  return whole;
 }
 
 //------------------------------------------------------------------------------

@@ -46,12 +46,12 @@ public:
   FFPlanarInput(vtkFFPlanarAlgorithm* filter, FFRun& run);
 
   /**
-   * Become the points of a data set.
+   * Become the points of a data set. Returns all that it has, also ghost points: ids count these.
    *
    * @throw FFBadSetting, std::runtime_error for weights that do not fit; all that the parts
    *        throw.
    */
-  void Take(vtkDataObject* data);
+  vtkSmartPointer<vtkPointSet> Take(vtkDataObject* data);
 
   ///@{
   /**

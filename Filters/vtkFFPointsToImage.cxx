@@ -16,7 +16,6 @@
 #include <flipflop/PowerDiagram.h>
 #include <flipflop/TriangulationQueries.h>
 
-#include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -146,7 +145,7 @@ void setGeometry(const flipflop::ImageGrid& grid, const std::optional<flipflop::
 
 /// The triangulation of points, ready for queries; with breaklines, if there are some. It becomes
 /// part of the report.
-flipflop::TriangulationQueries queriesOf(const FFPlanarInput& input, vtkDataObject* data,
+flipflop::TriangulationQueries queriesOf(const FFPlanarInput& input, vtkPointSet* whole,
   vtkPolyData* source, std::optional<Box>& bounds, vtkDataObject* output, FFRun& run)
 {
   run.SetPart(0.0, FFInterpolatedData::ShareOfTriangulation);
@@ -159,7 +158,7 @@ flipflop::TriangulationQueries queriesOf(const FFPlanarInput& input, vtkDataObje
     FFConstraints::SettingsType settings;
     settings.Dimensions = input.IsXYPlane() ? 2 : 3;
     const std::optional<FFConstraints> constraints(
-      std::in_place, settings, source, vtkDataSet::SafeDownCast(data), run.Ids);
+      std::in_place, settings, source, whole, run.Ids);
     const auto work = [&]
     {
       const flipflop::ConstraintView view = constraints->GetView();
@@ -266,11 +265,11 @@ void vtkFFPointsToImage::Execute(vtkDataObject* data, vtkInformationVector** inp
   vtkPolyData* const source = FFConstraints::SourceOf(inputVector, run);
   checkSettings(this, source != nullptr);
   FFPlanarInput input(this, run);
-  input.Take(data);
+  const vtkSmartPointer<vtkPointSet> whole = input.Take(data);
   vtkPointSet* const points = input.GetPoints();
   std::optional<Box> bounds; // none: there is no point
   const FFInterpolatedData values(FFInterpolatedData::SettingsType(this),
-    queriesOf(input, data, source, bounds, output, run), points,
+    queriesOf(input, whole, source, bounds, output, run), points,
     this->PassPointData ? points->GetPointData() : nullptr);
   const double* const given = bounds ? bounds->data() : nullptr;
   if (const double* const box = this->UseInputBounds ? given : this->SamplingBounds)

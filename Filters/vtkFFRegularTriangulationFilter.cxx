@@ -15,13 +15,13 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -188,7 +188,7 @@ void vtkFFRegularTriangulationFilter::Execute(vtkDataObject* data,
   {
     run.UseCPU("constraints are the CPU's");
   }
-  input.Take(data);
+  const vtkSmartPointer<vtkPointSet> points = input.Take(data);
   std::optional<FFConstraints> constraints;
   flipflop::ConstrainedTriangulation triangulation;
   std::int64_t dropped = 0;
@@ -198,7 +198,7 @@ void vtkFFRegularTriangulationFilter::Execute(vtkDataObject* data,
     run.SetPart(0.0, shareOfRings);
     const FFConstraints::SettingsType settings{ this->SourcePoints,
       this->ProjectionPlaneMode == XY_PLANE ? 2 : 3, this->ClosedLinesAsBorders, true, true };
-    constraints.emplace(settings, source, vtkDataSet::SafeDownCast(data), run.Ids, run.Options);
+    constraints.emplace(settings, source, points, run.Ids, run.Options);
     triangulation = triangulate(this, source, input, constraints, run, dropped);
   }
   else

@@ -290,13 +290,13 @@ void vtkFFTerrainMeshFilter::Execute(vtkDataObject* data, vtkInformationVector**
   run.UseCPU("terrain meshes are the CPU's");
   const flipflop::TerrainMeshOptions terrain = optionsOf(this);
   vtkPolyData* const source = FFConstraints::SourceOf(inputVector, run);
-  auto* const points = vtkDataSet::SafeDownCast(data);
-  if (points)
+  if (auto* const raw = vtkDataSet::SafeDownCast(data))
   {
-    findHeights(this, points, run, "input"); // before ghosts are left out
+    findHeights(this, raw, run, "input"); // before ghosts are left out
   }
+  const vtkSmartPointer<vtkPointSet> points = FFInput::PointsOf(data, run.OfWhat());
   FFInput input;
-  input.Take(FFBlocks::PiecesOf(data), this->SkipGhostPoints, run);
+  input.Take({ { points } }, this->SkipGhostPoints, run);
   Survey survey(this, input.GetPieces()[0], run);
   if (source)
   {

@@ -5,9 +5,11 @@
 #include "FFPieceSource.h"
 #include "FFPlanar.h"
 
+#include "FFInput.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkFFTerrainMeshFilter.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkTransform.h"
 
@@ -15,6 +17,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numeric>
 
 using namespace fftest;
 
@@ -231,6 +234,28 @@ void testPointsOfTheSource()
   }
 }
 
+/// An image's points are those that the output has, to the last bit, also by a source.
+template <class FilterT>
+void testImages()
+{
+  vtkNew<vtkImageData> image;
+  image->SetExtent(3, 40, -7, 30, 2, 2);
+  image->SetOrigin(0.1, 1e5 / 3, 0.7);
+  image->SetSpacing(1.0 / 3, 0.1, 1.0 / 7);
+  Ids line(38);
+  std::iota(line.begin(), line.end(), vtkIdType(38 * 20));
+  for (const int whose : { Filter::INPUT_POINTS, Filter::AUTOMATIC_POINTS })
+  {
+    Watched<FilterT> run(image);
+    const auto source = makeConstraints({ line });
+    source->SetPoints(FFInput::PointsOf(image, "")->GetPoints());
+    run->SetSourcePoints(whose);
+    run->SetSourceData(source);
+    run.Run();
+    FF_CHECK_EQUAL(run->GetNumberOfAddedPoints(), 0);
+  }
+}
+
 /// Of whatever piece of the input, all of the source is asked for.
 template <class FilterT>
 void testPieces()
@@ -304,6 +329,8 @@ int TestFFConstraints(int, char*[])
   testPlanesAndGhosts();
   testRules();
   testPointsOfTheSource();
+  testImages<Filter>();
+  testImages<vtkFFTerrainMeshFilter>();
   testPieces<Filter>();
   testPieces<vtkFFTerrainMeshFilter>();
   testErrors();
