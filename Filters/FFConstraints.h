@@ -58,8 +58,8 @@ public:
 
   /**
    * @param source whose cells are read
-   * @param input  the points that ids may name: all of the input's, with the bits that FFInput gives
-   *               those of an image
+   * @param input  the points that ids may name: all of the input's, with the bits that FFInput
+   * gives those of an image
    * @param given  ids of those of these points that the engine was given, ascending; without: it
    *               was given all
    * @param options of the search for closed lines

@@ -157,8 +157,7 @@ flipflop::TriangulationQueries queriesOf(const FFPlanarInput& input, vtkPointSet
     input.CheckUnweighted();
     FFConstraints::SettingsType settings;
     settings.Dimensions = input.IsXYPlane() ? 2 : 3;
-    const std::optional<FFConstraints> constraints(
-      std::in_place, settings, source, whole, run.Ids);
+    const std::optional<FFConstraints> constraints(std::in_place, settings, source, whole, run.Ids);
     const auto work = [&]
     {
       const flipflop::ConstraintView view = constraints->GetView();

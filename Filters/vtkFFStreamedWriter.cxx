@@ -231,6 +231,7 @@ flipflop::StreamReport vtkFFStreamedWriter::WriteFiles(FFStreamedInput& input, F
   settings.recordSize = records.GetSize();
   FFWorkFolder folder(this->WorkFolder, files);
   settings.folder = folder.GetPath();
+  settings.keepFiles = true;
   const double longest = this->Shape == HULL ? 0.0 : this->MaximumEdgeLength;
   std::ostringstream length;
   length << std::hexfloat << longest;
@@ -260,7 +261,19 @@ flipflop::StreamReport vtkFFStreamedWriter::WriteFiles(FFStreamedInput& input, F
   };
   const flipflop::StreamReport report =
     flipflop::streamedRun(settings, input.GetNumberOfPieces(), read, write);
-  files.WriteList(report.blocks);
+  try
+  {
+    files.WriteList(report.blocks);
+  }
+  catch (const std::filesystem::filesystem_error& error)
+  {
+    if (error.code() == std::errc::no_such_file_or_directory)
+    {
+      flipflop::removeStreamedRun(settings.folder); // a block is gone: all are to be written again
+    }
+    throw;
+  }
+  flipflop::removeStreamedRun(settings.folder);
   folder.Finish();
   return report;
 }

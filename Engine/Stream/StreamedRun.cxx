@@ -185,7 +185,10 @@ StreamReport run(const StreamSettings& settings, std::int64_t pieces, const Read
   report.blocks = counts.blocks;
   StreamedBlocks(folder, points, settings, monitor, threads).run(write, report);
   monitor.stage(1.0, 1.0, 1); // the last stop: what comes is not to be done again
-  removeRun(folder);
+  if (!settings.keepFiles)
+  {
+    removeRun(folder);
+  }
   report.bytesWritten = folder.bytesWritten();
   report.bytesRead = folder.bytesRead();
   return report;

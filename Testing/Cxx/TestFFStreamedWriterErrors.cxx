@@ -259,6 +259,34 @@ void testObstacles()
   }
 }
 
+/// The list of blocks alone cannot be written: no block is written again. One that is gone by then
+/// is, and so are all.
+void testList()
+{
+  for (const bool isGone : { false, true })
+  {
+    Stream stream(825);
+    const fs::path obstacle = stream.Folder.File("a <b>.vtpd.part");
+    const fs::path block = stream.Folder.File("a <b>/a <b>_1.vtp");
+    fs::create_directories(obstacle / "full");
+    FF_CHECK_EQUAL(stream.Writer->Write(), 0);
+    FF_CHECK_EQUAL(stream.Errors->Messages.size(), std::size_t(1));
+    FF_CHECK(fs::exists(block));
+    fs::remove_all(obstacle);
+    if (isGone)
+    {
+      fs::remove(block);
+      FF_CHECK(stream.Fails(vtkErrorCode::CannotOpenFileError, "a <b>_1.vtp cannot be written"));
+      FF_CHECK(stream.Works("without a block"));
+      continue;
+    }
+    const auto time = fs::last_write_time(block);
+    stream.Errors->Clear();
+    FF_CHECK(stream.Works("without a list"));
+    FF_CHECK(fs::last_write_time(block) == time);
+  }
+}
+
 /// A disk that has room for a little more each time.
 void testFullDisk()
 {
@@ -416,6 +444,7 @@ int TestFFStreamedWriterErrors(int, char*[])
   testMended();
   testNames();
   testObstacles();
+  testList();
   testFullDisk();
   testAborts();
   testHalfEmptied();

@@ -66,6 +66,10 @@ struct StreamSettings
   /// with it. It is of one run at a time.
   std::filesystem::path folder;
 
+  /// Whether the files stay in the end, too: while something is still to be done with the blocks
+  /// that were taken. The same call then gives the report alone; removeStreamedRun() ends that.
+  bool keepFiles = false;
+
   /// The bytes that the run may take, about; not among them are a piece and a block's result while
   /// the caller has them. Points at one position are in one block, however many they are. When a
   /// run goes on, the first call's memory and threads decide its blocks.
@@ -122,8 +126,8 @@ using WriteBlock = std::function<void(StreamedBlock&& block)>;
 StreamReport streamedRun(const StreamSettings& settings, std::int64_t pieces, const ReadPiece& read,
   const WriteBlock& write);
 
-/// Removes the files of a streamed run that is not to go on, and the folder if nothing else is in
-/// it. What is stopped in its midst is no run any longer.
+/// Removes the files of a streamed run that is over, or not to go on, and the folder if nothing
+/// else is in it. What is stopped in its midst is no run any longer.
 /// @param folder StreamSettings::folder
 /// @throw std::filesystem::filesystem_error of a file
 void removeStreamedRun(const std::filesystem::path& folder);

@@ -432,6 +432,23 @@ TEST_F(StreamedRunFaults, OfSettings)
   EXPECT_FALSE(fs::exists(this->folder.path));
 }
 
+/// A run whose files stay is not done again.
+TEST_F(StreamedRunFaults, FilesThatAreKept)
+{
+  this->settings.keepFiles = true;
+  for (int calls = 0; calls < 2; ++calls)
+  {
+    Gathered gathered;
+    const StreamReport report =
+      streamedRun(this->settings, 4, Pieces{ this->cloud, calls == 0 ? 4 : 0 }, std::ref(gathered));
+    EXPECT_EQ(report.points, 600);
+    EXPECT_EQ(gathered.calls, calls == 0 ? report.blocks : 0);
+    EXPECT_TRUE(fs::exists(this->folder.path));
+  }
+  removeStreamedRun(this->folder.path);
+  EXPECT_FALSE(fs::exists(this->folder.path));
+}
+
 /// The last piece has no point that is kept, and all before are stored.
 TEST_F(StreamedRunFaults, PiecesOfNoPointsAreCounted)
 {
