@@ -159,10 +159,12 @@ void measure(const flipflop::BlockRun& run, const flipflop::BlockResult& result,
   {
     first = !corners.empty() && corners[0].Id < first.Id ? corners[0] : first;
   }
-  const flipflop::BlockMeasure share = run.measure(result, first.Position);
-  const auto sums = processes.Sum(std::vector<vtkIdType>(share.parts, share.parts + 4));
-  flipflop::BlockMeasure sum;
-  std::copy_n(sums.begin(), 4, sum.parts);
+  const std::vector<flipflop::BlockMeasure> share{ run.measure(result, first.Position) };
+  flipflop::BlockMeasure sum; // of integers of 64 bits, which a vtkIdType may not have
+  for (const std::vector<flipflop::BlockMeasure>& other : processes.Gather(share))
+  {
+    sum += other[0];
+  }
   run.sizeOf(sum, size[0], size[1]);
 }
 
