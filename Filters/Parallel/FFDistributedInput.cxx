@@ -8,6 +8,7 @@
 #include "FFRun.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
@@ -87,6 +88,11 @@ std::vector<BlockType> blocksOf(vtkDataObject* input, bool joined)
   }
   if (!vtkDataSet::SafeDownCast(input) && !vtkDataObjectTree::SafeDownCast(input))
   {
+    if (vtkCompositeDataSet::SafeDownCast(input))
+    {
+      throw std::runtime_error(std::string("The data is a ") + input->GetClassName() +
+        ", which several processes do not take. Convert it to a vtkMultiBlockDataSet.");
+    }
     FFInput::PointsOf(input, ""); // throws what it must be
   }
   std::vector<BlockType> blocks;

@@ -7,7 +7,10 @@
  * process while the others wait. So here several processes accept any input, and what is wrong with
  * it is the failure of all. The blocks at the same place in the input of all processes belong
  * together. The partitions of a vtkPartitionedDataSet are the pieces of one block: processes have
- * different numbers of them.
+ * different numbers of them. A composite that is no tree of blocks, such as an AMR, is refused.
+ *
+ * Update() has to be called on every process, and all that is upstream has to succeed there: where
+ * the executive does not come to RequestData(), the other processes wait for ever.
  */
 
 #ifndef FFDistributedInput_h

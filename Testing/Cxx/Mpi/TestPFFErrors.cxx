@@ -11,6 +11,7 @@
 #include "vtkFFPowerDiagramFilter.h"
 #include "vtkFFRegularTriangulationFilter.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkOverlappingAMR.h"
 #include "vtkPFFHullFilter.h"
 #include "vtkPFFPowerDiagramFilter.h"
 #include "vtkPFFRegularTriangulationFilter.h"
@@ -221,6 +222,7 @@ void testWrongInput(DistributedVersusSerial& both)
 {
   const Pieces pieces = makePieces();
   vtkNew<vtkTable> table;
+  vtkNew<vtkOverlappingAMR> amr;
   const auto blocks = pieceOfBlocks(std::vector<Pieces>(4, pieces));
   vtkNew<vtkMultiBlockDataSet> block; // a single one
   block->SetBlock(0, ownOf(pieces));
@@ -234,6 +236,12 @@ void testWrongInput(DistributedVersusSerial& both)
     {
       const bool wrong = rank() == process;
       both.Fails("a wrong input", wrong ? table.Get() : piece, "The data is a vtkTable");
+      if (processes() > 1)
+      {
+        both.Fails("an AMR", wrong ? amr.Get() : piece,
+          "The data is a vtkOverlappingAMR, which several processes do not take. Convert it to a "
+          "vtkMultiBlockDataSet.");
+      }
       both.Fails("no input", wrong ? nullptr : piece, "There is no input. Set one.");
       if (!joinsBlocks(both))
       {
