@@ -211,7 +211,8 @@ public:
   /**
    * Get of the last run: the dimension of what its points span, from -1 for no point over 0 for one
    * position to 3 (of several blocks: the greatest); how many points it was given, without ghosts
-   * that are left out; and how many of these have a NaN or infinite coordinate or weight.
+   * that are left out; and how many of these have a NaN or infinite coordinate or weight. After an
+   * error, -1 and 0; but of points that are not finite, those that it counts.
    */
   int GetDimension() { return this->Report.Dimension; }
   vtkIdType GetNumberOfInputPoints() { return this->Report.NumberOfInputPoints; }

@@ -32,8 +32,8 @@
 #ifndef vtkFFStreamedWriter_h
 #define vtkFFStreamedWriter_h
 
-#include "vtkFFMarks.h"
-#include "vtkFFReport.h"              // For VTK_MARSHALAUTO
+#include "vtkFFMarks.h"               // For VTK_MARSHALAUTO
+#include "vtkFFReport.h"              // For vtkFFReport
 #include "vtkFiltersFlipFlopModule.h" // For export macro
 #include "vtkWriter.h"
 
