@@ -3,6 +3,7 @@
 #include "vtkFFAlgorithm.h"
 
 #include "FFBlocks.h"
+#include "FFCudaMemory.h"
 #include "FFInput.h"
 #include "FFRun.h"
 #include "vtkFFErrorCode.h"
@@ -15,31 +16,18 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 
-#include <atomic>
-
 VTK_ABI_NAMESPACE_BEGIN
-namespace
-{
-
-/// Of all classes: with the last, what is kept for the next run goes.
-std::atomic<int> filterCount{ 0 };
-
-}
-
 //------------------------------------------------------------------------------
 vtkFFAlgorithm::vtkFFAlgorithm()
   : CUDAThreshold(VTK_ID_MAX)
 {
-  ++filterCount;
+  FFCudaMemory::AddFilter();
 }
 
 //------------------------------------------------------------------------------
 vtkFFAlgorithm::~vtkFFAlgorithm()
 {
-  if (--filterCount == 0)
-  {
-    flipflop::releaseCudaMemory();
-  }
+  FFCudaMemory::RemoveFilter();
 }
 
 //------------------------------------------------------------------------------

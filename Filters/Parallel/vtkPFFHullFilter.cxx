@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPFFHullFilter.h"
 
+#include "FFCudaMemory.h"
 #include "FFDistributedCells.h"
 #include "FFDistributedInput.h"
 #include "FFDistributedPoints.h"
@@ -11,8 +12,6 @@
 #include "FFPointMessage.h"
 #include "FFProcesses.h"
 #include "FFRun.h"
-
-#include <flipflop/Engines.h>
 
 #include "vtkDataSetAttributes.h"
 #include "vtkIdTypeArray.h"
@@ -279,12 +278,13 @@ void readPieces(FFHullStream& stream, FFProcesses& processes, FFHullResult& hull
 vtkPFFHullFilter::vtkPFFHullFilter()
 {
   FFDistributedInput::Prepare(this, this->Controller);
+  FFCudaMemory::AddFilter(); // of this library's copy of the engine
 }
 
 //------------------------------------------------------------------------------
 vtkPFFHullFilter::~vtkPFFHullFilter()
 {
-  flipflop::releaseCudaMemory(); // of this library's copy of the engine
+  FFCudaMemory::RemoveFilter();
 }
 
 //------------------------------------------------------------------------------
