@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -337,6 +338,17 @@ std::int64_t FFPlanarInput::DropLongCells(const flipflop::PointView& points, dou
     flipflop::keepCells(cells, within.data());
   }
   return count - kept;
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarInput::WorkOnBlock(flipflop::BlockResult& block, const CellWork& work)
+{
+  flipflop::CellComplex& cells = block.cells;
+  flipflop::Buffer<std::int64_t> ids(cells.pointIds.size());
+  std::iota(ids.begin(), ids.end(), std::int64_t(0));
+  std::swap(ids, cells.pointIds);
+  work({ block.positions.data(), static_cast<std::int64_t>(ids.size()) }, cells);
+  std::swap(ids, cells.pointIds);
 }
 
 //------------------------------------------------------------------------------

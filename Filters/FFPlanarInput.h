@@ -19,6 +19,7 @@
 #include "vtkFFMarks.h"
 #include "vtkSmartPointer.h"
 
+#include <flipflop/BlockRun.h>
 #include <flipflop/Hull.h>
 #include <flipflop/Options.h>
 #include <flipflop/PlaneFit.h>
@@ -129,6 +130,11 @@ public:
    */
   static std::int64_t DropLongCells(const flipflop::PointView& points, double longest,
     const flipflop::Options& options, flipflop::CellComplex& cells);
+
+  /// Have an engine's function work on the cells of a block, whose ids count their own points
+  /// meanwhile: these are given, by x, y and a weight.
+  using CellWork = std::function<void(const flipflop::PointView&, flipflop::CellComplex&)>;
+  static void WorkOnBlock(flipflop::BlockResult& block, const CellWork& work);
 
   ///@{
   /// A line in the XY plane may be a plane in space: then a warning says so, once. And its parts:

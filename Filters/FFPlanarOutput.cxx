@@ -62,7 +62,7 @@ void addArrays(const Arrays& arrays, vtkCellData* output)
 }
 
 /// The output's ids are the run's, and visible if the filter shows them.
-void finishIds(vtkFFPlanarAlgorithm* filter, const FFRun& run, vtkDataSetAttributes* output)
+void finishIds(vtkFFAlgorithm* filter, const FFRun& run, vtkDataSetAttributes* output)
 {
   FFOutput::Renumber(output, [&](vtkIdType id) { return run.GetId(id); });
   if (filter->GetVisiblePointIds())
@@ -75,8 +75,7 @@ void finishIds(vtkFFPlanarAlgorithm* filter, const FFRun& run, vtkDataSetAttribu
 void writeCells(vtkFFPlanarAlgorithm* filter, const FFPlanarInput& input, const FFRun& run,
   flipflop::CellComplex& cells, vtkPolyData* output)
 {
-  FFOutput::Adopt(cells, input.GetSource(), input.GetPointData(), output);
-  finishIds(filter, run, output->GetPointData());
+  FFPlanarCells::Write(filter, input.GetSource(), input.GetPointData(), run, cells, output);
 }
 
 /// Vertices or edges of these corners.
@@ -126,6 +125,25 @@ flipflop::CellComplex boundaryOf(
   return lines;
 }
 
+}
+
+//------------------------------------------------------------------------------
+flipflop::CellComplex FFPlanarCells::VerticesOf(flipflop::Buffer<std::int64_t>&& ids)
+{
+  flipflop::Buffer<std::int64_t> each(ids.size());
+  std::iota(each.begin(), each.end(), std::int64_t(0));
+  flipflop::CellComplex vertices = simplicesOf(0, std::move(each));
+  vertices.pointIds = std::move(ids);
+  return vertices;
+}
+
+//------------------------------------------------------------------------------
+void FFPlanarCells::Write(vtkFFAlgorithm* filter, const FFPointSource& points,
+  const std::vector<FFOutput::Source>& data, const FFRun& run, flipflop::CellComplex& cells,
+  vtkPolyData* output)
+{
+  FFOutput::Adopt(cells, points, data, output);
+  finishIds(filter, run, output->GetPointData());
 }
 
 //------------------------------------------------------------------------------
@@ -240,10 +258,7 @@ void FFTriangulationOutput::Write(FFPlanarInput& input, flipflop::Triangulation&
     }
   }
   addArrays(arrays, cells->GetCellData());
-  flipflop::Buffer<std::int64_t> each(triangulation.hiddenIds.size());
-  std::iota(each.begin(), each.end(), std::int64_t(0));
-  flipflop::CellComplex vertices = simplicesOf(0, std::move(each));
-  vertices.pointIds = std::move(triangulation.hiddenIds);
+  flipflop::CellComplex vertices = FFPlanarCells::VerticesOf(std::move(triangulation.hiddenIds));
   writeCells(this->Filter, input, this->Run, vertices, hidden);
   if (this->Filter->GetGenerateBoundary())
   {

@@ -7,17 +7,22 @@
 #ifndef FFPlanarOutput_h
 #define FFPlanarOutput_h
 
+#include "FFOutput.h"
 #include "vtkFFMarks.h"
 
+#include <flipflop/Buffer.h>
+#include <flipflop/CellComplex.h>
 #include <flipflop/PointView.h>
 #include <flipflop/PowerDiagram.h>
 #include <flipflop/Triangulation.h>
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class FFPlanarInput;
+class vtkFFAlgorithm;
 class vtkFFPowerDiagramFilter;
 class vtkFFRegularTriangulationFilter;
 class FFRun;
@@ -60,6 +65,20 @@ private:
   flipflop::Buffer<double> LineAlphas;
   flipflop::Buffer<double> VertexAlphas;
 };
+
+namespace FFPlanarCells
+{
+
+/// A vertex for each of these points.
+flipflop::CellComplex VerticesOf(flipflop::Buffer<std::int64_t>&& ids);
+
+/// Cells become an output, with the points that they have and these points' data. Ids are the
+/// run's, and visible if the filter shows them.
+void Write(vtkFFAlgorithm* filter, const FFPointSource& points,
+  const std::vector<FFOutput::Source>& data, const FFRun& run, flipflop::CellComplex& cells,
+  vtkPolyData* output);
+
+}
 
 namespace FFPowerCells
 {

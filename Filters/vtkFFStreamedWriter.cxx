@@ -26,7 +26,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <ios>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -50,22 +49,6 @@ vtkSmartPointer<vtkPolyData> makeBlock(
   FFOutput::AdoptCells(cells, data);
   FFOutput::AddIds(FFOutput::AdoptIds(cells.pointIds), data->GetPointData());
   return data;
-}
-
-/// Leaves out the cells with a longer edge, if it is a length.
-void dropLongCells(double longest, const flipflop::Options& chosen, flipflop::BlockResult& block)
-{
-  flipflop::Options options = chosen; // those who watch the whole run do so from another thread
-  options.progress = nullptr;
-  options.step = nullptr;
-  // The positions are of the cells' points alone.
-  flipflop::CellComplex& cells = block.cells;
-  flipflop::Buffer<std::int64_t> ids(cells.pointIds.size());
-  std::iota(ids.begin(), ids.end(), std::int64_t(0));
-  std::swap(ids, cells.pointIds);
-  FFPlanarInput::DropLongCells(
-    { block.positions.data(), static_cast<std::int64_t>(ids.size()) }, longest, options, cells);
-  std::swap(ids, cells.pointIds);
 }
 
 /// A failure at a file.
@@ -254,9 +237,14 @@ flipflop::StreamReport vtkFFStreamedWriter::WriteFiles(FFStreamedInput& input, F
     folder.Add(number, piece);
     return piece;
   };
+  flipflop::Options quiet = run.Options; // who watches the whole run does so from another thread
+  quiet.progress = nullptr;
+  quiet.step = nullptr;
   const auto write = [&](flipflop::StreamedBlock&& block)
   {
-    dropLongCells(longest, run.Options, block.result);
+    FFPlanarInput::WorkOnBlock(block.result,
+      [&](const auto& points, auto& cells)
+      { FFPlanarInput::DropLongCells(points, longest, quiet, cells); });
     files.WriteBlock(block.number, makeBlock(block, records));
   };
   const flipflop::StreamReport report =

@@ -6,7 +6,7 @@
 #include "FFExactValues.h"
 #include "FFInput.h"
 #include "FFOutput.h"
-#include "FFPlanarInput.h"
+#include "FFPlanarOutput.h"
 #include "FFRun.h"
 
 #include <flipflop/PlaneFit.h>
@@ -27,7 +27,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -151,13 +150,8 @@ public:
     {
       data.push_back({ this->Points->GetPointData(), this->Points->GetNumberOfPoints() });
     }
-    FFOutput::Adopt(cells, FFPointSource(coordinatesOf(this->Points)), data, output);
-    FFOutput::Renumber(
-      output->GetPointData(), [this](vtkIdType id) { return this->Run.GetId(id); });
-    if (this->Filter->GetVisiblePointIds())
-    {
-      FFOutput::ShowIds(output->GetPointData());
-    }
+    const FFPointSource points(coordinatesOf(this->Points));
+    FFPlanarCells::Write(this->Filter, points, data, this->Run, cells, output);
     for (const auto& array : marks)
     {
       output->GetPointData()->AddArray(array);
@@ -173,12 +167,7 @@ public:
     {
       errors->InsertNextValue(mesh.errors[static_cast<std::size_t>(id)]);
     }
-    flipflop::CellComplex vertices;
-    vertices.dimension = 0;
-    vertices.cellSize = 1;
-    vertices.connectivity.allocate(mesh.hiddenIds.size());
-    std::iota(vertices.connectivity.begin(), vertices.connectivity.end(), std::int64_t(0));
-    vertices.pointIds = std::move(mesh.hiddenIds);
+    flipflop::CellComplex vertices = FFPlanarCells::VerticesOf(std::move(mesh.hiddenIds));
     this->Write(vertices, output);
     output->GetPointData()->AddArray(errors);
   }

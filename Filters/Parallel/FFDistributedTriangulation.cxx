@@ -198,15 +198,14 @@ std::array<double, 4> FFDistributedTriangulation::GetBounds() const
 void FFDistributedTriangulation::WorkOnCells(const std::function<void(
     const flipflop::PointView&, const flipflop::WeightView&, flipflop::CellComplex&)>& work)
 {
-  flipflop::CellComplex& cells = this->Cells.cells;
-  flipflop::Buffer<std::int64_t> ids(cells.pointIds.size());
-  std::iota(ids.begin(), ids.end(), std::int64_t(0));
-  std::swap(ids, cells.pointIds);
-  const double* const positions = this->Cells.positions.data();
-  const auto count = static_cast<std::int64_t>(ids.size());
-  work({ positions, count },
-    this->Weighted ? flipflop::WeightView(positions + 2, count, 3) : flipflop::WeightView(), cells);
-  std::swap(ids, cells.pointIds);
+  FFPlanarInput::WorkOnBlock(this->Cells,
+    [&](const flipflop::PointView& points, flipflop::CellComplex& cells)
+    {
+      const auto* const x = static_cast<const double*>(points.data);
+      work(points,
+        this->Weighted ? flipflop::WeightView(x + 2, points.count, 3) : flipflop::WeightView(),
+        cells);
+    });
 }
 
 //------------------------------------------------------------------------------
