@@ -205,11 +205,28 @@ void testOtherPoints()
   FF_CHECK_EQUAL(input.GetPlane().count, 3);
 }
 
+/// The look for a vertical plane: of no point, stopped, and told once.
+void testVerticalPlane()
+{
+  vtkNew<vtkFFRegularTriangulationFilter> filter;
+  FFRun run(filter, "A test");
+  const FFPlanarInput input(filter, run);
+  FF_CHECK_EQUAL(FFPlanarInput::HullInSpace({}, run.Options).dimension, -1);
+  FF_CHECK_EQUAL(FFPlanarInput::HullInSpace(randomPoints(50, 5), run.Options).dimension, 3);
+  filter->SetAbortExecute(1);
+  run.Do([&] { FFPlanarInput::HullInSpace(randomPoints(50, 5), run.Options); });
+  FF_CHECK_EQUAL(int(run.Failure.Kind), int(FFFailure::Aborted));
+  input.WarnOfVerticalPlane();
+  input.WarnOfVerticalPlane();
+  FF_CHECK_EQUAL(run.Warnings.size(), std::size_t(1));
+}
+
 }
 
 int TestFFProjection(int, char*[])
 {
   testOtherPoints();
+  testVerticalPlane();
   testPlanes();
   testVerticalPlane<vtkFFRegularTriangulationFilter>();
   testVerticalPlane<vtkFFPowerDiagramFilter>();
