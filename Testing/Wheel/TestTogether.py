@@ -25,7 +25,7 @@ hull.SetInputConnection(source.GetOutputPort())
 cleaned = vtk.vtkCleanPolyData()
 cleaned.SetInputConnection(hull.GetOutputPort())
 cleaned.Update()
-assert isinstance(hull, vtk.vtkPolyDataAlgorithm)
+assert isinstance(hull, vtk.vtkAlgorithm)
 assert isinstance(hull.GetOutput(), vtk.vtkPolyData)
 mesh = pyvista.wrap(cleaned.GetOutput())
 points = mesh.points
