@@ -326,15 +326,16 @@ nb::tuple heightsOf(const InputArray& points, const InputArray& linePoints, cons
     arrayOf(std::move(found.ranges), { count, 2 }), found.differing);
 }
 
-/// What of a triangulation is in its alpha complex: cells, edges and points, these by their ids.
+/// What of a triangulation is in its alpha complex: cells, and if asked for edges and points of
+/// none of these, by their ids.
 nb::tuple complexOf(const InputArray& points, const std::optional<InputArray>& weights,
-  const Handle<Triangulation>& triangulation, double alpha, const Settings& settings)
+  const Handle<Triangulation>& triangulation, double alpha, const Settings& settings, bool singular)
 {
   const PointView sites = pointView(points, 2);
   const WeightView weighted = weightView(weights);
   const Triangulation& cells = *triangulation.result;
   AlphaComplex found = settings.run([&](const Options& options)
-    { return alphaComplex(sites, weighted, cells, alpha, true, options); });
+    { return alphaComplex(sites, weighted, cells, alpha, singular, options); });
   const std::size_t edges = found.edgeAlphas.size();
   return nb::make_tuple(arrayOf(std::move(found.cells)),
     arrayOf(idsOf(cells, found.edges), { edges, 2 }), arrayOf(std::move(found.edgeAlphas)),
@@ -430,7 +431,7 @@ void bindComplexes(nb::module_& module)
     },
     "points"_a, "weights"_a.none(), "triangulation"_a, "settings"_a);
   module.def("alpha_complex", &complexOf, "points"_a, "weights"_a.none(), "triangulation"_a,
-    "alpha"_a, "settings"_a);
+    "alpha"_a, "settings"_a, "singular"_a = true);
   module.def("with_cells",
     [](const Handle<Triangulation>& triangulation, const Mask& kept)
     {
