@@ -3,14 +3,25 @@
 """The filters from Python: what VTK's wrapper and NumPy's arrays bring to what the C++ tests hold."""
 
 import os
+import signal
+import threading
+import time
 import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkImageData, vtkPlanes, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
+    vtkDataObject,
+    vtkImageData,
+    vtkMultiBlockDataSet,
+    vtkPlanes,
+    vtkPolyData,
+)
 from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
 
 import vtkflipflop
@@ -109,6 +120,33 @@ class TestHull(unittest.TestCase):
         self.assertEqual(hull.GetOutput().GetNumberOfPoints(), 0)
         self.assertEqual(messages, [])
 
+    def test_interrupt(self):
+        """Ctrl-C in a run raises once VTK has returned; algorithms in Python stop."""
+        triangulation, next_one = vtkFFRegularTriangulationFilter(), vtkCleanPolyData()
+        triangulation.SetInputData(poly_data(RANDOM.random((300000, 2))))
+        triangulation.SetNumberOfThreads(1)
+        next_one.SetInputConnection(triangulation.GetOutputPort())
+        messages, timer = errors_of(triangulation), threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            next_one.Update()
+            timer.join()
+            for _ in range(500):
+                time.sleep(0.01)
+        self.assertEqual((messages, triangulation.GetErrorCode()), ([], 0))
+        if vtkflipflop.vtk_classes == "python":
+            self.assertEqual(triangulation.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_streamed_composites(self):
+        hull, whole = vtkFFHullFilter(), vtkMultiBlockDataSet()
+        whole.SetBlock(0, poly_data(CUBE))
+        hull.SetInputData(whole)
+        hull.SetNumberOfStreamDivisions(2)
+        messages = errors_of(hull)
+        hull.Update()
+        self.assertIn("A composite that is streamed has one hull. Set Composite Mode to Hull of All", messages[0])
+        self.assertEqual(hull.GetErrorCode(), 40001)
+
     def test_planes(self):
         xyz = RANDOM.standard_normal((300, 3))
         hull, planes = run(vtkFFHullFilter, poly_data(xyz)), vtkPlanes()
@@ -182,15 +220,16 @@ class TestPlane(unittest.TestCase):
         triangulation.SetInputData(poly_data(RANDOM.random((50, 3))))
         triangulation.SetTransform(transform)
         self.assertEqual(triangulation.GetProjectionPlaneMode(), triangulation.TRANSFORM_PLANE)
-        runs = []
+        runs, next_one = [], vtkCleanPolyData()
+        next_one.SetInputConnection(triangulation.GetOutputPort())
         triangulation.AddObserver("EndEvent", lambda caller, event: runs.append(caller))
         # The inverse announces nothing.
         for change in (lambda: None, lambda: transform.RotateX(40.0), lambda: transform.RotateX(40.0),
                        lambda: triangulation.SetTransform(transform.GetInverse()), lambda: transform.RotateY(40.0)):
             change()
             before = triangulation.GetMTime()
-            triangulation.Update()
-            triangulation.Update()
+            for algorithm in (next_one, triangulation, next_one):
+                algorithm.Update()
             self.assertGreaterEqual(triangulation.GetMTime(), before)
         self.assertEqual(len(runs), 5)
 

@@ -8,6 +8,7 @@ from typing import Any
 
 from . import _vtkmodules as vtk
 from ._errors import InputError
+from ._meshes import misfit_of
 
 _vtkAlgorithm = vtk.module("vtkCommonExecutionModel").vtkAlgorithm
 _model = vtk.module("vtkCommonDataModel")
@@ -51,12 +52,4 @@ def _choice_of(algorithm: Any) -> Any:
 def _fault_of(array: Any, association: int, count: int, owner: str, noun: str) -> str:
     if association not in _OF_POINTS:
         return f"was asked for as data that does not belong to the points; {noun}s must be point data"
-    if array is None:
-        return f"is missing from the {owner}'s point data"
-    if not array.IsA("vtkDataArray"):
-        return f"is a {array.GetClassName()}, which does not hold numbers"
-    if array.GetNumberOfComponents() != 1:
-        return f"has {array.GetNumberOfComponents()} components; a {noun} has 1"
-    if array.GetNumberOfTuples() != count:
-        return f"has {array.GetNumberOfTuples()} value(s) for {count} point(s)"
-    return ""
+    return misfit_of(array, count, owner, noun)

@@ -8,9 +8,9 @@ run of its own: one at fault costs only itself.
 
 from __future__ import annotations
 
+import _thread
 import sys
-import weakref
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, fields
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -21,7 +21,7 @@ from . import _vtkmodules as vtk
 from ._errors import AbortedError, FlipFlopError
 from ._filter_errors import NO_ERROR, Failure
 from ._filter_settings import add_method, add_property
-from ._meshes import Block, block_of, pass_field_data
+from ._meshes import LEAVES, Block, block_of, drop_report, pass_field_data
 from ._results import Report as Progress
 from ._results import stretch
 
@@ -33,7 +33,6 @@ except ImportError as error:
 _Pipeline = _execution.vtkDemandDrivenPipeline
 vtkAlgorithm, vtkDataObject = _execution.vtkAlgorithm, vtk.module("vtkCommonDataModel").vtkDataObject
 _new_object = vtk.module("vtkCommonDataModel").vtkDataObjectTypes.NewDataObject
-_LEAVES = ("vtkPointSet", "vtkImageData", "vtkRectilinearGrid")
 
 
 @dataclass
@@ -163,12 +162,14 @@ class Algorithm(_Base):  # type: ignore[misc, valid-type]
         return self.GetInputDataObject(port, 0) if self.GetNumberOfInputConnections(port) else None
 
     def GetOutput(self, port: int = 0) -> Any:
-        return self.GetOutputDataObject(port)
+        """The output, if it is one data set; of a composite, GetOutputDataObject() gives it."""
+        output = self.GetOutputDataObject(port)
+        return output if output is not None and output.IsA(self._result or "vtkDataSet") else None
 
     def SetOutput(self, data: Any) -> None:
         self.GetExecutive().SetOutputData(0, data)
 
-    output = property(GetOutput)
+    output = property(lambda self: self.GetOutputDataObject(0))
 
     def PrintSelf(self) -> str:
         """The settings, a line each."""
@@ -206,7 +207,8 @@ class Algorithm(_Base):  # type: ignore[misc, valid-type]
             info = outputs.GetInformationObject(port)
             kind = self._result
             if each:
-                kind = data.GetClassName() if data.IsA("vtkDataObjectTree") else "vtkMultiBlockDataSet"
+                is_kept = not kind or data.IsA("vtkDataObjectTree")
+                kind = data.GetClassName() if is_kept else "vtkMultiBlockDataSet"
             elif not kind and data is not None and data.IsA("vtkDataSet"):
                 kind = data.GetClassName()
             there = info.Get(vtkDataObject.DATA_OBJECT())
@@ -246,6 +248,10 @@ class Algorithm(_Base):  # type: ignore[misc, valid-type]
                     raise AbortedError("", "aborted")
         except AbortedError:
             self._end_aborted(results, report)
+        except KeyboardInterrupt:
+            # VTK would swallow it. Another thread's turn comes when VTK has returned.
+            self._end_aborted(results, report)
+            _thread.start_new_thread(_thread.interrupt_main, ())
         except Exception as error:
             report = self._fail(error, "", results)
         self._report = report
@@ -306,25 +312,23 @@ class Algorithm(_Base):  # type: ignore[misc, valid-type]
 
     def _done(self, work: Callable[[], None], task: Task) -> bool:
         """Does it, and says its warnings, and why it failed; then there are no results."""
-        fault: Exception | None = None
         try:
             work()
         except AbortedError:
             raise
         except Exception as error:
-            fault = error
-        for warning in task.warnings:
-            self._say("Warning", warning)
-        if fault is not None:
-            task.report = self._fail(fault, task.name, task.results)
-        return fault is None
+            task.report = self._fail(error, task.name, task.results, task.warnings)
+            return False
+        self._warn(task.warnings)
+        return True
 
-    def _fail(self, error: Exception, name: str, results: list[Any]) -> Report:
+    def _fail(self, error: Exception, name: str, results: list[Any], warnings: Iterable[str] = ()) -> Report:
         """Says why the work on a data set of that name failed, and empties its results. Returns its report."""
         failure = Failure.of(error, name, self._advice)
         self._code = failure.code
         for result in results:
             result.Initialize()
+        self._warn(warnings)
         self._say("Error", failure.message)
         return Report(NumberOfNonFinitePoints=failure.non_finite)
 
@@ -340,6 +344,10 @@ class Algorithm(_Base):  # type: ignore[misc, valid-type]
                 result.Initialize()
             report.__init__()  # type: ignore[misc]
 
+    def _warn(self, sentences: Iterable[str]) -> None:
+        for sentence in sentences:
+            self._say("Warning", sentence)
+
     def _say(self, kind: str, sentence: str) -> None:
         """Reports an error or a warning as VTK's macros do."""
         if not self.GetGlobalWarningDisplay():
@@ -353,23 +361,38 @@ class Algorithm(_Base):  # type: ignore[misc, valid-type]
             window = vtk.module("vtkCommonCore").vtkOutputWindow.GetInstance()
             getattr(window, f"Display{kind}Text")(f"{kind.upper()}: {text}")
 
-    def _watch(self, other: Any, old: tuple[Any, int] | None = None) -> tuple[Any, int] | None:
-        """A change of another object is one of this algorithm. Returns what is to be given as the old one next time."""
-        if old is not None:
-            old[0].RemoveObserver(old[1])
-        self_ = weakref.ref(self)
 
-        def modified(*_: Any) -> None:
-            algorithm = self_()
-            if algorithm is not None:
-                algorithm.Modified()
+class TakesSource:
+    """What algorithms have in common whose second input is a source."""
 
-        return None if other is None else (other, other.AddObserver("ModifiedEvent", modified))
+    if TYPE_CHECKING:  # what VTK's base brings
+
+        def __getattr__(self, name: str) -> Any: ...
+
+    def SetSourceData(self, source: Any) -> None:
+        self.SetInputData(1, source)
+
+    def SetSourceConnection(self, connection: Any) -> None:
+        self.SetInputConnection(1, connection)
+
+    def GetSource(self) -> Any:
+        return self.GetInput(1)
+
+
+class TakesLines(TakesSource):
+    """The same, where the source may be left out: its lines and polygons are edges."""
+
+    def RemoveSource(self) -> None:
+        self.SetSourceConnection(None)
+
+    def RequestUpdateExtent(self, request: Any, inputs: Any, outputs: Any) -> int:
+        request_all(inputs[1])
+        return 1
 
 
 def block_for(data: Any, task: Task) -> Block:
     """The points of a data set, which errors name as the task does."""
-    if not any(map(data.IsA, _LEAVES)):
+    if not any(map(data.IsA, LEAVES)):
         of = f" of {task.name}" if task.name else ""
         raise FlipFlopError(
             f"The data{of} is a {data.GetClassName()}. It must be a vtkDataSet, or a composite of these.",
@@ -396,13 +419,6 @@ def add_report(field_data: Any, core: Any, task: Task, **more: Any) -> None:
             array = vtk.array_of(np.array([value], object if isinstance(value, str) else None))
         array.SetName(f"FlipFlop{name}")
         field_data.AddArray(array)
-
-
-def drop_report(field_data: Any) -> None:
-    """Removes the report of a filter upstream."""
-    for name in [field_data.GetArrayName(i) for i in range(field_data.GetNumberOfArrays())]:
-        if name and name.startswith("FlipFlop"):
-            field_data.RemoveArray(name)
 
 
 def data_of(vector: Any) -> Any:

@@ -44,7 +44,7 @@ class Failure:
         elif isinstance(error, ConstraintError):
             found = cls(str(error), CONSTRAINT)
         elif isinstance(error, OutOfMemoryError) and error.count > 0 or not isinstance(error, MemoryError):
-            found = cls._of_engine(error, name, advice) if isinstance(error, FlipFlopError) else cls(str(error), INPUT)
+            found = cls._of_engine(error, name, advice) if isinstance(error, FlipFlopError) else cls._of_other(error)
         else:
             found = cls(_NO_MEMORY, MEMORY)
         found.message = found.message[:1].upper() + found.message[1:]
@@ -54,8 +54,16 @@ class Failure:
         return found
 
     @classmethod
+    def _of_other(cls, error: Exception) -> Failure:
+        """Of Python's: values are the caller's fault, all else is ours."""
+        is_of_value = isinstance(error, ValueError) and not isinstance(error, UnicodeError)
+        return cls(str(error) or type(error).__name__, INPUT if is_of_value else INTERNAL)
+
+    @classmethod
     def _of_engine(cls, error: FlipFlopError, name: str, advice: str) -> Failure:
         of = f" of {name}" if name else ""
+        if error._of_filters:
+            return cls(error._of_filters, INPUT)
         if error.code == "non_finite" and error.index >= 0:
             sentence = (
                 f"{getattr(error, 'what', 'A coordinate')} is NaN or infinite: first at "
@@ -78,7 +86,7 @@ class Failure:
             return cls(f"{what}: first at {error._where or f'point {error.index}{of}'}. {advice}", INPUT)
         text, code = _TEXTS.get(error.code, ("", INPUT))
         if error.code in ("bad_argument", "weight_count") or not text:
-            return cls(error._of_filters or str(error), code)
+            return cls(str(error), code)
         problem = _core.cuda_status()[3] if error.code == "no_device" else str(error)
         return cls(text.format(index=error.index, count=error.count, of=of, text=problem), code)
 

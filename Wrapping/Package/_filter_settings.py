@@ -15,7 +15,6 @@ from typing import Any, TypeVar
 
 VTK_INT_MAX = 2**31 - 1
 VTK_ID_MAX = 2**63 - 1
-VTK_DOUBLE_MAX = 1.7976931348623157e308
 
 Kind = TypeVar("Kind", bound=type)
 
@@ -119,19 +118,25 @@ def snake_case(name: str) -> str:
 
 
 def integer(value: Any) -> int:
-    return operator.index(value)
+    """As C's int."""
+    found = operator.index(value)
+    if not -VTK_INT_MAX - 1 <= found <= VTK_INT_MAX:
+        raise OverflowError(f"{found} is out of range for int")
+    return found
+
+
+def identifier(value: Any) -> int:
+    """As vtkIdType."""
+    found = operator.index(value)
+    if not -VTK_ID_MAX - 1 <= found <= VTK_ID_MAX:
+        raise OverflowError(f"{found} is out of range for vtkIdType")
+    return found
 
 
 def number(value: Any) -> float:
     if isinstance(value, (str, bytes)):
         raise TypeError(f"a number is required, not {value!r}")
     return float(value)
-
-
-def text(value: Any) -> str | None:
-    if value is not None and not isinstance(value, str):
-        raise TypeError(f"a text or None is required, not {value!r}")
-    return value
 
 
 def string(value: Any) -> str:

@@ -121,7 +121,7 @@ class InterpolatedData:
     def _arrays(self, count: int) -> list[NDArray[Any]]:
         """For the values of each field, and for the mask."""
         types = [(field.values.shape[1], np.dtype(_type_of(field.values))) for field in self._fields]
-        _core.require_memory(count * (1 + sum(size * kind.itemsize for size, kind in types)))
+        _core.require_memory(min(count * (1 + sum(size * kind.itemsize for size, kind in types)), 2**63 - 1))
         return [*(np.empty((count, size), kind) for size, kind in types), np.empty(count, np.int8)]
 
     def _write(

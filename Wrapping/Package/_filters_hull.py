@@ -22,6 +22,7 @@ from ._filter_settings import (
     Flag,
     Setting,
     add_enumeration,
+    identifier,
     integer,
     number,
     numbers,
@@ -29,6 +30,7 @@ from ._filter_settings import (
 )
 from ._mesh_runs import Run
 from ._meshes import Block, Cloud, add_block_index, block_of
+from ._results import Report as Progress
 
 _FACETS, _NON_FINITE, _ENGINES = ("triangles", "polygons"), ("error", "ignore"), ("automatic", "cpu", "cuda")
 
@@ -36,7 +38,7 @@ _FACETS, _NON_FINITE, _ENGINES = ("triangles", "polygons"), ("error", "ignore"),
 @reports("Dimension", "NumberOfInputPoints", "NumberOfNonFinitePoints", "EngineUsed")
 @with_settings(
     Choice("Engine", 0, Automatic="ENGINE_AUTOMATIC", CPU="ENGINE_CPU", CUDA="ENGINE_CUDA"),
-    Setting("CUDAThreshold", VTK_ID_MAX, integer, 0, VTK_ID_MAX),
+    Setting("CUDAThreshold", VTK_ID_MAX, identifier, 0, VTK_ID_MAX),
     Setting("NumberOfThreads", 0, integer, -1, VTK_INT_MAX),
     Choice("FacetMode", 0, Triangles="FACETS_AS_TRIANGLES", Polygons="FACETS_AS_POLYGONS"),
     Choice("NonFinitePoints", 0, Error="NON_FINITE_ERROR", Ignore="NON_FINITE_IGNORE"),
@@ -204,6 +206,14 @@ class vtkFFHullFilter(vtkFFHullAlgorithm):
 
     def _is_joined(self) -> bool:
         return self._settings["CompositeMode"] == 1
+
+    def _prepare(self, inputs: Any, progress: Progress) -> float:
+        if self._settings["NumberOfStreamDivisions"] > 1 and self._has_each(data_of(inputs[0])):
+            raise SettingError(
+                "A composite that is streamed has one hull. Set Composite Mode to Hull of All Blocks, or Number Of "
+                "Stream Divisions to 1."
+            )
+        return 0.0
 
     def _execute(self, data: Any, inputs: Any, task: Task) -> None:
         run = self._run()

@@ -11,11 +11,11 @@ import numpy as np
 
 from . import _core
 from . import _vtkmodules as vtk
-from ._filter_base import Task, data_of, request_all
+from ._filter_base import TakesLines, Task, data_of, request_all
 from ._filter_errors import SettingError
 from ._filter_settings import VTK_INT_MAX, Choice, Flag, Setting, integer, numbers, with_settings
 from ._filter_values import INTERPOLATION_MODE, Grid, InterpolatedData, settings_of_values
-from ._filters_plane import box_of, vtkFFPlanarAlgorithm
+from ._filters_plane import box_of, refuse_weights, vtkFFPlanarAlgorithm
 from ._mesh_cells import Plane
 from ._mesh_runs import Run
 from ._mesh_source import Source, SourceRule
@@ -39,22 +39,10 @@ _EMPTY = Grid((0.0, 0.0), (1.0, 1.0), (0, 0))
     INTERPOLATION_MODE,
     *settings_of_values(math.nan),
 )
-class vtkFFPointsToImage(vtkFFPlanarAlgorithm):
+class vtkFFPointsToImage(TakesLines, vtkFFPlanarAlgorithm):
     """An image of values between points in the plane, over their triangulation."""
 
     _title, _ports, _result = "Image of points", (2, 1), "vtkImageData"
-
-    def SetSourceData(self, source: Any) -> None:
-        self.SetInputData(1, source)
-
-    def SetSourceConnection(self, output: Any) -> None:
-        self.SetInputConnection(1, output)
-
-    def RemoveSource(self) -> None:
-        self.SetSourceConnection(None)
-
-    def GetSource(self) -> Any:
-        return self.GetInput(1)
 
     def RequestInformation(self, request: Any, inputs: Any, outputs: Any) -> int:
         info, grid = outputs.GetInformationObject(0), _EMPTY
@@ -97,9 +85,8 @@ class vtkFFPointsToImage(vtkFFPlanarAlgorithm):
         source = self._source(inputs, task)
         self._check(source is not None)
         run = self._run(0)  # values by natural neighbours have other last bits over polygons
-        whole, task.progress = task.progress, stretch(task.progress, 0.0, _TRIANGULATED)
         with self._named_faults():
-            plane = self._plane(run, data, task)
+            plane = self._plane(run, data, task, stretch(task.progress, 0.0, _TRIANGULATED))
             constrained = None if source is None else self._constrained(run, plane, source)
             core = plane.triangulated().core if constrained is None else constrained.inside()
         run.core = core
@@ -107,7 +94,8 @@ class vtkFFPointsToImage(vtkFFPlanarAlgorithm):
         positions, result = plane.positions, task.results[0]
         task.report.NumberOfHiddenPoints = len(core.hidden())
         self._report_on(task, run, HiddenPoints=task.report.NumberOfHiddenPoints)
-        chosen = run.settings(plane.cloud, stretch(whole, _TRIANGULATED, _PREPARED))
+        part = run.parts(plane.cloud, task.progress)
+        chosen = part(_TRIANGULATED, _PREPARED)
         if constrained is None:
             queries = _core.triangulation_queries(positions, plane.weights, core, chosen)
         else:
@@ -122,20 +110,16 @@ class vtkFFPointsToImage(vtkFFPlanarAlgorithm):
                 return
             box = tuple(_core.triangulation_box(positions, core))
         grid = self._grid_of(box)
-
-        def part(begin: float, end: float) -> Any:
-            return run.settings(cloud, stretch(stretch(whole, _PREPARED, 1.0), begin, end))
-
-        values.at_grid(grid, 1, part, result.GetPointData())
+        rest = run.parts(cloud, stretch(task.progress, _PREPARED, 1.0))
+        values.at_grid(grid, 1, rest, result.GetPointData())
         _set_geometry(grid, plane.projection, result)
 
     def _constrained(self, run: Run, plane: Plane, mesh: Any) -> Any:
         """The triangulation with breaklines."""
         self._use_cpu(run, "constraints are the CPU's")
-        if plane.weights is not None:
-            raise SettingError("Constraints take no weights. Choose no weights' array.")
+        refuse_weights(plane)
         dimensions = 2 if plane.projection.is_xy else 3
-        source = Source(mesh, plane.cloud, SourceRule(self.INPUT_POINTS, dimensions, False, False, False))
+        source = Source(mesh, plane.cloud, SourceRule(self.INPUT_POINTS, dimensions, False, False, False), plane.settings)
         arguments = plane.positions, source.ends, source.sides, False, None, plane.settings
         return source.engine(_core.constrained_triangulation, *arguments)
 

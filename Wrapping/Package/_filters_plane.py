@@ -18,24 +18,32 @@ from ._arguments import Weights
 from ._domain import Domain
 from ._errors import FlipFlopError
 from ._filter_arrays import array_to_process
-from ._filter_base import Task, block_for, reports
+from ._filter_base import TakesLines, Task, block_for, reports
 from ._filter_errors import SettingError
 from ._filter_settings import Choice, Flag, Setting, number, numbers, with_settings
 from ._filters_hull import vtkFFAlgorithm
 from ._mesh_cells import Plane, add_measures, is_vertical_plane
 from ._mesh_joined import Joined
-from ._mesh_runs import Run
+from ._mesh_runs import TRIANGULATED, Run, split
 from ._mesh_source import Source, SourceRule
 from ._projection import BestFitting, ByTransform, Projection
-from ._results import stretch
+from ._results import Report as Progress
 
+_SHARE_OF_RINGS = 0.05  # of the progress, until closed lines are found
 _vtkAbstractTransform = vtk.module("vtkCommonTransforms").vtkAbstractTransform
+_vtkTransformFilter = vtk.module("vtkFiltersGeneral").vtkTransformFilter
 
 
 def _transform(value: Any) -> Any:
     if value is not None and not isinstance(value, _vtkAbstractTransform):
         raise TypeError(f"a vtkAbstractTransform or None is required, not {value!r}")
     return value
+
+
+def _a_point() -> Any:
+    made = vtk.vtkPolyData()
+    made.SetPoints(vtk.points_of(np.zeros((1, 3))))
+    return made
 
 
 class _Transform(Setting):
@@ -57,9 +65,6 @@ class _Transform(Setting):
 class vtkFFPlanarAlgorithm(vtkFFAlgorithm):
     """What the algorithms that work in a plane have in common: the plane, the points' weights, measures of cells."""
 
-    _watched: Any = None
-    _transformed = 0  # of the last run, when the transform had changed last
-
     def SetTransform(self, transform: Any) -> None:
         """Set what takes the points to the XY plane; it is used, unless it is None."""
         self.StoreTransform(transform)
@@ -68,33 +73,27 @@ class vtkFFPlanarAlgorithm(vtkFFAlgorithm):
 
     def StoreTransform(self, transform: Any) -> None:
         """The same, but for whether it is used: for applications that set all properties."""
-        self._set("Transform", transform)
-        self._watched = self._watch(transform, self._watched)
+        if transform is not self._settings["Transform"]:
+            self._set("Transform", transform)
+            self._follow(transform)
+
+    def _follow(self, transform: Any) -> None:
+        """Makes one more input depend on the transform: the executive asks inputs for changes, and not Python."""
+        port = self._ports[0]
+        self.SetNumberOfInputPorts(port if transform is None else port + 1)
+        if transform is not None:
+            follower = _vtkTransformFilter()
+            follower.SetInputDataObject(_a_point())
+            follower.SetTransform(transform)
+            self.SetInputConnection(port, follower.GetOutputPort())
+
+    def GetNumberOfInputPorts(self) -> int:
+        return self._ports[0]
 
     def GetMTime(self) -> int:
         """The last change, also of the transform."""
         own, transform = int(super().GetMTime()), self._settings["Transform"]
         return own if transform is None else max(own, int(transform.GetMTime()))
-
-    def Update(self, *arguments: Any) -> Any:
-        """Brings the output up to date, also after changes that a transform does not announce: those of its inverse."""
-        transform = self._settings["Transform"]
-        if transform is not None and transform.GetMTime() > self._transformed:
-            self.Modified()
-        return super().Update(*arguments)
-
-    def RequestData(self, request: Any, inputs: Any, outputs: Any) -> int:
-        done = super().RequestData(request, inputs, outputs)
-        transform = self._settings["Transform"]
-        self._transformed = 0 if transform is None else transform.GetMTime()  # a transform that is used may note that
-        return done
-
-    def _weights(self, data: Any, task: Task) -> Weights:
-        """What the points' weights are made of: numbers of an array, or None."""
-        chosen = self._settings
-        array = array_to_process(self, data, _of(task)) if data.IsA("vtkDataSet") else None
-        numbers_ = None if array is None else vtk.values_of(array)
-        return Weights(numbers_, chosen["WeightMode"] == self.RADII, chosen["WeightFactor"])
 
     def _projection(self) -> Projection:
         """The plane that was chosen."""
@@ -108,14 +107,15 @@ class vtkFFPlanarAlgorithm(vtkFFAlgorithm):
             )
         return ByTransform(transform)
 
-    def _plane(self, run: Run, data: Any, task: Task) -> Plane:
+    def _plane(self, run: Run, data: Any, task: Task, progress: Progress) -> Plane:
         """The points of a data set in the plane, with their weights."""
-        weights = self._weights(data, task)
-        block = block_for(data, task)
-        if not math.isfinite(weights.factor):
-            raise SettingError(f"Weight Factor is {weights.factor:g}; it must be finite.")
-        noun = "radius" if weights.are_radii else "weight"
-        return run.plane(block, weights, self._projection(), task.progress, noun)
+        chosen = self._settings
+        array = array_to_process(self, data, _of(task)) if data.IsA("vtkDataSet") else None
+        given = Weights(None if array is None else vtk.values_of(array), chosen["WeightMode"] == self.RADII, 1.0)
+        cloud = run.cloud(block_for(data, task))
+        given.factor = factor_of(chosen["WeightFactor"], array is not None and len(cloud.array) > 0)
+        weights = run.weights(cloud, given, "radius" if given.are_radii else "weight")
+        return run.plane(cloud, weights, self._projection(), progress)
 
     @contextmanager
     def _named_faults(self) -> Iterator[None]:
@@ -130,7 +130,7 @@ class vtkFFPlanarAlgorithm(vtkFFAlgorithm):
     def _warn_of_vertical_plane(self, plane: Plane, core: Any, task: Task) -> None:
         """A line in the XY plane may be a plane in space."""
         mode = self._settings["ProjectionPlaneMode"]
-        if mode == self.BEST_FITTING_PLANE or not is_vertical_plane(plane.cloud.array, core):
+        if mode == self.BEST_FITTING_PLANE or not is_vertical_plane(plane, core):
             return
         how = (
             "are on a line after the Transform, and were not before"
@@ -145,6 +145,17 @@ class vtkFFPlanarAlgorithm(vtkFFAlgorithm):
 
 def _of(task: Task) -> str:
     return f" of {task.name}" if task.name else ""
+
+
+def factor_of(factor: float, is_used: bool) -> float:
+    if is_used and not math.isfinite(factor):
+        raise SettingError(f"Weight Factor is {factor:g}; it must be finite.")
+    return factor
+
+
+def refuse_weights(plane: Plane) -> None:
+    if plane.weights is not None:
+        raise SettingError("Constraints take no weights. Choose no weights' array.")
 
 
 def _length(value: float, name: str, zero: str) -> float | None:
@@ -169,7 +180,7 @@ def _length(value: float, name: str, zero: str) -> float | None:
     Choice("PolygonRule", 0, EvenOdd="EVEN_ODD", Direction="DIRECTION"),
     Flag("ClosedLinesAsBorders", False),
 )
-class vtkFFRegularTriangulationFilter(vtkFFPlanarAlgorithm):
+class vtkFFRegularTriangulationFilter(TakesLines, vtkFFPlanarAlgorithm):
     """The exact Delaunay triangulation in the plane, with weights or with edges of a source.
 
     Its ports are the cells, the hidden points, the border of the cells, and the edges that constraints run along.
@@ -177,19 +188,6 @@ class vtkFFRegularTriangulationFilter(vtkFFPlanarAlgorithm):
 
     _ports = (2, 4)
     _title = "Delaunay triangulation"
-
-    def SetSourceConnection(self, connection: Any) -> None:
-        """Set where the lines and polygons come from that are to be edges."""
-        self.SetInputConnection(1, connection)
-
-    def SetSourceData(self, source: Any) -> None:
-        self.SetInputData(1, source)
-
-    def RemoveSource(self) -> None:
-        self.SetSourceConnection(None)
-
-    def GetSource(self) -> Any:
-        return self.GetInput(1)
 
     def _execute(self, data: Any, inputs: Any, task: Task) -> None:
         chosen = self._settings
@@ -200,7 +198,7 @@ class vtkFFRegularTriangulationFilter(vtkFFPlanarAlgorithm):
         if source is not None:
             self._use_cpu(run, "constraints are the CPU's")
         with self._named_faults():
-            plane = self._plane(run, data, task)
+            plane = self._plane(run, data, task, task.progress)
             joined = None if source is None else self._joined(run, plane, source, task)
             cells = plane.triangulated() if joined is None else joined.cells()
         core = cells.core
@@ -221,15 +219,11 @@ class vtkFFRegularTriangulationFilter(vtkFFPlanarAlgorithm):
 
     def _joined(self, run: Run, plane: Plane, source: Any, task: Task) -> Joined:
         chosen = self._settings
-        if plane.weights is not None:
-            raise SettingError("Constraints take no weights. Choose no weights' array.")
+        refuse_weights(plane)
         dimensions = 2 if plane.projection.is_xy else 3
         rule = SourceRule(chosen["SourcePoints"], dimensions, chosen["ClosedLinesAsBorders"])
-        constraints = Source(source, plane.cloud, rule)
-
-        def part(begin: float, end: float) -> Any:
-            return run.settings(plane.cloud, stretch(task.progress, begin, end))
-
+        part = run.parts(plane.cloud, task.progress)
+        constraints = Source(source, plane.cloud, rule, part(0.0, _SHARE_OF_RINGS))
         is_directed = chosen["PolygonRule"] == self.DIRECTION
         joined = Joined(plane, source, constraints, chosen["SplitCrossingConstraints"], is_directed, part)
         if joined.core.dropped and not joined.core.inside().cell_count:
@@ -306,8 +300,9 @@ class vtkFFPowerDiagramFilter(vtkFFPlanarAlgorithm):
             domain = Domain(np.array(box_of(self._settings["PowerDiagramBounds"], "The power diagram's box")))
         run = self._run(1)
         with self._named_faults():
-            plane = self._plane(run, data, task)
-            found = run.power_cells(plane, domain, task.progress)
+            first, second = split(task.progress, TRIANGULATED)
+            plane = self._plane(run, data, task, first)
+            found = run.power_cells(plane, domain, second)
         self._warn_of_vertical_plane(plane, run.core, task)
         made = run.mesh_of_power_cells(plane, found)
         self._finish_ids(made.GetCellData())

@@ -15,7 +15,7 @@ from . import _vtkmodules as vtk
 from ._arguments import Weights
 from ._errors import FlipFlopError
 from ._filter_arrays import array_to_process
-from ._filter_base import Algorithm, Report, Task, block_for, data_of, reports, request_all
+from ._filter_base import Algorithm, Report, TakesSource, Task, block_for, data_of, reports, request_all
 from ._filter_errors import INPUT, NO_ERROR, SettingError, naming
 from ._filter_settings import VTK_INT_MAX, Choice, Flag, Setting, add_method, integer, number, numbers, with_settings
 from ._filter_values import INTERPOLATION_MODE, Grid, InterpolatedData, settings_of_values
@@ -242,7 +242,7 @@ class vtkFFSelectEnclosedPoints(vtkFFQueryAlgorithm):
     Flag("PassCellArrays", True),
     Flag("PassFieldArrays", True),
 )
-class vtkFFPointInterpolator2D(vtkFFQueryAlgorithm):
+class vtkFFPointInterpolator2D(TakesSource, vtkFFQueryAlgorithm):
     """Point data between points in the plane, by their triangulation."""
 
     _title, _owner, _what = "Point interpolation", "source", "A coordinate or a weight"
@@ -252,15 +252,6 @@ class vtkFFPointInterpolator2D(vtkFFQueryAlgorithm):
     def __init__(self, **settings: Any) -> None:
         self._excluded: list[str] = []
         super().__init__(**settings)
-
-    def SetSourceData(self, source: Any) -> None:
-        self.SetInputData(1, source)
-
-    def SetSourceConnection(self, output: Any) -> None:
-        self.SetInputConnection(1, output)
-
-    def GetSource(self) -> Any:
-        return self.GetInput(1)
 
     def AddExcludedArray(self, name: str | None) -> None:
         """Name an array of the source that is not interpolated."""

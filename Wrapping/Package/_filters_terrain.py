@@ -13,16 +13,16 @@ from . import _core
 from . import _vtkmodules as vtk
 from ._arguments import Weights
 from ._filter_arrays import array_to_process
-from ._filter_base import Task, block_for, reports
+from ._filter_base import TakesLines, Task, block_for, reports
 from ._filter_errors import SettingError, naming
-from ._filter_settings import VTK_ID_MAX, Choice, Flag, Setting, integer, number, with_settings
+from ._filter_settings import VTK_ID_MAX, Choice, Flag, Setting, identifier, number, with_settings
 from ._filters_hull import vtkFFAlgorithm
 from ._input import column_of
 from ._mesh_joined import Part
-from ._mesh_source import Source, SourceRule
+from ._mesh_source import Source, SourceRule, of_source
 from ._mesh_terrain import Survey, meshes_of_terrain
 from ._meshes import Cloud
-from ._results import Ids, stretch
+from ._results import Ids
 
 
 @reports(
@@ -33,24 +33,12 @@ from ._results import Ids, stretch
     Choice("SourcePoints", 0, AutomaticPoints="AUTOMATIC_POINTS", InputPoints="INPUT_POINTS", OwnPoints="OWN_POINTS"),
     Flag("SplitCrossingConstraints", False),
     Setting("Tolerance", -1.0, number),
-    Setting("MaximumNumberOfVertices", 0, integer, 0, VTK_ID_MAX),
+    Setting("MaximumNumberOfVertices", 0, identifier, 0, VTK_ID_MAX),
 )
-class vtkFFTerrainMeshFilter(vtkFFAlgorithm):
+class vtkFFTerrainMeshFilter(TakesLines, vtkFFAlgorithm):
     """A triangulation of some of the points, from which no other is farther, vertically, than a tolerance: exactly."""
 
     _title, _ports = "Terrain mesh", (2, 2)
-
-    def SetSourceData(self, source: Any) -> None:
-        self.SetInputData(1, source)
-
-    def SetSourceConnection(self, output: Any) -> None:
-        self.SetInputConnection(1, output)
-
-    def RemoveSource(self) -> None:
-        self.SetInputConnection(1, None)
-
-    def GetSource(self) -> Any:
-        return self.GetInput(1)
 
     def _execute(self, data: Any, inputs: Any, task: Task) -> None:
         with naming("A coordinate or a height"):
@@ -61,13 +49,9 @@ class vtkFFTerrainMeshFilter(vtkFFAlgorithm):
         self._use_cpu(run, "terrain meshes are the CPU's")
         limits, source = self._limits(), self._source(inputs, task)
         heights = self._heights_of(data, task, "input") if data.IsA("vtkDataSet") else None
-        ignores = bool(self._settings["NonFinitePoints"])
-        cloud = Cloud([block_for(data, task)], self._settings["SkipGhostPoints"], ignores)
-        levels = None if heights is None else cloud.weights(Weights(heights, False, 1.0), ignores, "height")
-
-        def part(begin: float, end: float) -> Any:
-            return run.settings(cloud, stretch(task.progress, begin, end))
-
+        cloud = run.cloud(block_for(data, task))
+        levels = run.weights(cloud, Weights(heights, False, 1.0), "height")
+        part = run.parts(cloud, task.progress)
         survey = None
         if source is None:
             ends = np.empty((0, 2), np.int64)
@@ -82,11 +66,12 @@ class vtkFFTerrainMeshFilter(vtkFFAlgorithm):
 
     def _survey(self, cloud: Cloud, levels: Any, mesh: Any, task: Task, part: Part) -> Survey:
         chosen = self._settings
-        source = Source(mesh, cloud, SourceRule(chosen["SourcePoints"], 2, False))
+        source = Source(mesh, cloud, SourceRule(chosen["SourcePoints"], 2, False), part(0.0, 0.0))
         own = None
-        if source.is_own:
+        if source.is_own and len(source.points):  # of these, what is wrong is told first
             heights = self._heights_of(mesh, task, "source")
-            own = None if heights is None else column_of(heights, "height", True)[0]
+            with of_source():
+                own = None if heights is None else column_of(heights, "height", True)[0]
         return Survey(cloud, levels, mesh, source, own, chosen["SplitCrossingConstraints"], part)
 
     def _write(self, found: dict[str, Any], cloud: Cloud, survey: Survey | None, task: Task) -> None:

@@ -14,22 +14,26 @@ from . import _core
 from . import _vtkmodules as vtk
 from ._meshes import Cloud, set_cells
 from ._projection import Projection
-from ._results import QUIET, Floats, Ids
+from ._results import Floats, Ids
 
 
 @dataclass
 class Plane:
-    """Points of a run in the plane, as rows of two or more; their weights, and the choices of the run."""
+    """Points of a run in the plane, as rows of two or more; their weights, and the settings of the run.
+
+    then: the settings of what is done with the triangulation
+    """
 
     cloud: Cloud
     positions: NDArray[Any]
     weights: NDArray[Any] | None
     projection: Projection
     settings: Any
+    then: Any
 
     def triangulated(self) -> PlaneCells:
         core = self.cloud.engine(_core.regular_triangulation, self.positions, self.weights, self.settings)
-        return PlaneCells(self.cloud, self.positions, self.weights, core)
+        return PlaneCells(self, core)
 
 
 class PlaneCells:
@@ -43,8 +47,9 @@ class PlaneCells:
         the cells that are not left out
     """
 
-    def __init__(self, cloud: Cloud, positions: NDArray[Any], weights: NDArray[Any] | None, core: Any) -> None:
-        self._cloud, self._positions, self._weights, self.core = cloud, positions, weights, core
+    def __init__(self, plane: Plane, core: Any) -> None:
+        self._cloud, self._positions, self._weights = plane.cloud, plane.positions, plane.weights
+        self._settings, self.core = plane.then, core
         self._edges: Ids = np.empty((0, 2), np.int64)
         self._vertices: Ids = np.empty(0, np.int64)
         self._edge_alphas = self._vertex_alphas = np.empty(0)
@@ -53,7 +58,7 @@ class PlaneCells:
         """Leaves out cells that are not in the alpha complex, or have a longer edge. Returns how many."""
         count = self.core.cell_count
         if alpha is not None and count:
-            arguments = self._positions, self._weights, self.core, alpha, QUIET
+            arguments = self._positions, self._weights, self.core, alpha, self._settings, lines or vertices
             within, edges, edge_alphas, points, point_alphas = self._cloud.engine(_core.alpha_complex, *arguments)
             self._keep(within)
             if lines:
@@ -72,7 +77,7 @@ class PlaneCells:
         """For each cell the least alpha at which it is in the complex."""
         found = [self._vertex_alphas, self._edge_alphas]
         if self.core.cell_count:
-            found.append(_core.cell_alphas(self._positions, self._weights, self.core, QUIET))
+            found.append(_core.cell_alphas(self._positions, self._weights, self.core, self._settings))
         return np.concatenate(found)
 
     def measures(self) -> tuple[Floats, Floats]:
@@ -94,7 +99,7 @@ class PlaneCells:
 
     def boundary(self, pass_data: bool) -> Any:
         """The border of the cells: closed polylines of the points that are there."""
-        offsets, ids = _core.cell_boundary(self.core, QUIET)
+        offsets, ids = _core.cell_boundary(self.core, self._settings)
         rows = np.unique(ids)
         made = self._cloud.mesh(self._cloud.ids(rows), pass_data)
         closed = np.insert(ids, offsets[1:], ids[offsets[:-1]])
@@ -114,7 +119,7 @@ class PlaneCells:
 
     def _short(self, cells: Any, limit: float) -> NDArray[np.uint8]:
         found: NDArray[np.uint8] = self._cloud.engine(
-            _core.cells_within_edge_length, self._positions, cells, limit, QUIET
+            _core.cells_within_edge_length, self._positions, cells, limit, self._settings
         )
         return found
 
@@ -127,9 +132,10 @@ def add_measures(made: Any, measures: tuple[Floats, Floats], projection: Project
         made.GetCellData().AddArray(vtk.array_of(values, name))
 
 
-def is_vertical_plane(points: NDArray[Any], core: Any) -> bool:
+def is_vertical_plane(plane: Plane, core: Any) -> bool:
     """Whether points that the triangulation has on a line are not on a line in space."""
+    points = plane.cloud.array
     if core.dimension != 1 or points.shape[1] != 3:
         return False
     rows = np.concatenate([core.vertices(), core.hidden()])
-    return bool(_core.convex_hull(np.asarray(points[rows], np.float64), QUIET).dimension > 1)
+    return bool(_core.convex_hull(np.asarray(points[rows], np.float64), plane.then).dimension > 1)

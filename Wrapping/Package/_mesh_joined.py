@@ -135,7 +135,7 @@ class Joined(JoinedPoints):
 
     def cells(self) -> PlaneCells:
         """What is inside the polygons."""
-        return PlaneCells(self.plane.cloud, self.plane.positions, None, self.core.inside())
+        return PlaneCells(self.plane, self.core.inside())
 
     def fixed_edges(self, made: Any, to: Any) -> None:
         """Gives a mesh the points of the triangulation's mesh, and a line for each edge that is fixed."""

@@ -24,11 +24,13 @@ from ._mesh_lines import mesh_of, points_of_mesh
 from ._mesh_terrain import meshes_of_terrain
 from ._meshes import LEAVES, Block, Cloud, blocks_of, composite_of, is_tree, pass_field_data, set_cells
 from ._projection import Projection
-from ._results import ENGINES, QUIET, Ids, Progress, Report, report_of, stretch
+from ._results import ENGINES, Ids, Progress, Report, report_of, stretch
 from ._surfaces import HULL_OF_POINTS, by_cell, surface_of
 from ._terrain import mesh_with_lines
 
 Output = Any  # a vtkPolyData, or a composite of such
+# Of a power diagram's progress, until the triangulation is there.
+TRIANGULATED = 0.4
 # So many blocks at fault are named at most.
 _MOST_NAMED = 8
 
@@ -76,7 +78,7 @@ class Run:
 
     def hull(self, blocks: list[Block], report: Report) -> Any:
         """The hull of all these blocks."""
-        cloud = Cloud(blocks, self._skip_ghosts, self._ignore)
+        cloud = self.cloud(*blocks)
         core = cloud.engine(_core.convex_hull, cloud.array, self.settings(cloud, report))
         return self.cells_of(cloud, core)
 
@@ -86,9 +88,9 @@ class Run:
             of = f" of {block.name}" if block.name else ""
             sentence = f"the surface{of} has no cells, but {block.count} point(s)"
             raise InputError(sentence, "bad_argument").for_filters(f"{sentence}. {HULL_OF_POINTS}")
+        starts, corners, cell_of = surface_of(part, block.name)
         cloud = Cloud([block], False, False)
         settings = self.settings(cloud, report)
-        starts, corners, cell_of = surface_of(part, block.name)
         triangles = corners
         if cell_of is not None:
             cut = cloud.engine(by_cell(_core.triangulate_polygons, cell_of), cloud.array, starts, corners, settings)
@@ -109,27 +111,36 @@ class Run:
         report: Report,
         hidden: bool,
     ) -> list[Any]:
-        plane = self.plane(block, weights, projection, report)
+        plane = self._plane_of(block, weights, projection, report)
         if constraints is None:
             cells = plane.triangulated()
         else:
             given = CloudConstraints(constraints, plane.cloud, projection.is_xy)
             core = self._constrained(plane.cloud, plane.positions, given, plane.settings)
-            cells = PlaneCells(plane.cloud, plane.positions, None, core)
+            cells = PlaneCells(plane, core)
         cells.drop(alpha, limit)
         found = [self.cells_of(plane.cloud, cells.core)]
         if hidden:
             found.append(cells.hidden(self.pass_data))
         return found
 
-    def plane(
-        self, block: Block, weights: Weights, projection: Projection, report: Report, noun: str = "weight"
-    ) -> Plane:
+    def cloud(self, *blocks: Block) -> Cloud:
+        """The points of blocks, as one input."""
+        return Cloud(blocks, self._skip_ghosts, self._ignore)
+
+    def weights(self, cloud: Cloud, weights: Weights, noun: str = "weight") -> NDArray[Any] | None:
+        """One for each point."""
+        return cloud.weights(weights, self._ignore, noun)
+
+    def plane(self, cloud: Cloud, weights: NDArray[Any] | None, projection: Projection, report: Report) -> Plane:
         """The points in the plane, with their weights."""
-        cloud = Cloud([block], self._skip_ghosts, self._ignore)
-        weight_array = cloud.weights(weights, self._ignore, noun)
         settings = self.settings(cloud, report)
-        return Plane(cloud, projection.to_plane(cloud.array, settings), weight_array, projection, settings)
+        then = self._settings(cloud, stretch(report, 1.0, 1.0), ENGINES["cpu"])
+        return Plane(cloud, projection.to_plane(cloud.array, settings), weights, projection, settings, then)
+
+    def _plane_of(self, block: Block, weights: Weights, projection: Projection, report: Report) -> Plane:
+        cloud = self.cloud(block)
+        return self.plane(cloud, self.weights(cloud, weights), projection, report)
 
     def _constrained(self, cloud: Cloud, positions: NDArray[Any], given: CloudConstraints, settings: Any) -> Any:
         if self._engine == ENGINES["cuda"]:
@@ -143,11 +154,8 @@ class Run:
         self, block: Block, lines: Any, given: Lines, polygon_rule: PolygonRule, report: Report
     ) -> Any:
         """With lines that have points of their own, by x and y."""
-        cloud = Cloud([block], self._skip_ghosts, self._ignore)
-
-        def part(begin: float, end: float) -> Any:
-            return self.settings(cloud, stretch(report, begin, end))
-
+        cloud = self.cloud(block)
+        part = self.parts(cloud, report)
         found = cloud.engine(joined_triangulation, cloud.array, given, polygon_rule, cloud.left_out, part)
         return mesh_of(cloud, found, lines, self.pass_data)
 
@@ -161,8 +169,8 @@ class Run:
         report: Report,
         rest: bool,
     ) -> list[Any]:
-        cloud = Cloud([block], self._skip_ghosts, self._ignore)
-        levels = cloud.weights(heights, self._ignore, "height")
+        cloud = self.cloud(block)
+        levels = self.weights(cloud, heights, "height")
         if levels is None and cloud.array.shape[1] == 2:
             raise ValueError("points of two coordinates take heights")
         joined: JoinedTriangulation | None = None
@@ -171,10 +179,7 @@ class Run:
             arguments = cloud.array, levels, given.ends, *limits, self.settings(cloud, report)
             found, _ = cloud.engine(given.engine, _core.terrain_mesh, *arguments)
         else:
-
-            def part(begin: float, end: float) -> Any:
-                return self.settings(cloud, stretch(report, begin, end))
-
+            part = self.parts(cloud, report)
             mesh = cloud.engine(mesh_with_lines, cloud.array, levels, lines[1], limits, cloud.left_out, part)
             found, joined = vars(mesh), mesh.joined
 
@@ -188,16 +193,15 @@ class Run:
     def diagram(
         self, block: Block, weights: Weights, projection: Projection, domain: Domain, report: Report
     ) -> Any:
-        first, second = split(report, 0.4)
-        plane = self.plane(block, weights, projection, first)
+        first, second = split(report, TRIANGULATED)
+        plane = self._plane_of(block, weights, projection, first)
         return self.mesh_of_power_cells(plane, self.power_cells(plane, domain, second))
 
     def power_cells(self, plane: Plane, domain: Domain, report: Report) -> Any:
         cloud, core = plane.cloud, plane.triangulated().core
         self.core = core
-        within, last = None if core.dimension < 0 else domain.array, self._last
-        arguments = plane.positions, plane.weights, core, within, self.settings(cloud, report)
-        self._last = last  # that of the triangulation tells the engine
+        within = None if core.dimension < 0 else domain.array
+        arguments = plane.positions, plane.weights, core, within, self._settings(cloud, report)
         with domain.named():
             found = cloud.engine(_core.power_diagram, *arguments)
         plane.projection.lie_beneath(cloud.array, core)
@@ -211,11 +215,21 @@ class Run:
         return made
 
     def settings(self, cloud: Cloud, report: Report) -> Any:
-        self._last = _core.Settings(self._threads, self._polygons, cloud.left_out, self._engine, report)
-        self._last.v_biased = self.v_biased
-        if self.cuda_from is not None:
-            self._last.cuda_from = self.cuda_from
+        """Of a run that makes cells: it tells the engine."""
+        self._last = self._settings(cloud, report)
         return self._last
+
+    def parts(self, cloud: Cloud, report: Report) -> Callable[[float, float], Any]:
+        """The settings of a part of the run, by its begin and its end from 0 to 1."""
+        return lambda begin, end: self.settings(cloud, stretch(report, begin, end))
+
+    def _settings(self, cloud: Cloud, report: Report, engine: int | None = None) -> Any:
+        chosen = self._engine if engine is None else engine
+        made = _core.Settings(self._threads, self._polygons, cloud.left_out, chosen, report)
+        made.v_biased = self.v_biased
+        if self.cuda_from is not None:
+            made.cuda_from = self.cuda_from
+        return made
 
     def cells_of(self, cloud: Cloud, core: Any) -> Any:
         """A mesh of the points and the cells."""

@@ -4,8 +4,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -15,9 +17,8 @@ from . import _core
 from ._errors import FlipFlopError, InputError
 from ._filter_errors import ConstraintError
 from ._input import points_of
-from ._meshes import Cloud, block_of
-from ._results import QUIET, Ids
-from ._vtkmodules import values_of
+from ._meshes import Cloud, block_of, corners_of
+from ._results import Ids
 
 # As vtkFFAlgorithm.SourcePointsType.
 _AUTOMATIC, _OWN = 0, 2
@@ -46,6 +47,34 @@ class SourceRule:
     can_split: bool = True
 
 
+@dataclass
+class _Chains:
+    """Cells, by where the corners of each begin, to the end; the points that these are; and the cells' numbers."""
+
+    offsets: Ids
+    ids: Ids
+    numbers: Ids
+
+    @classmethod
+    def of(cls, cells: Any, first: int) -> _Chains:
+        offsets, ids = corners_of(cells, "the source's cells")
+        return cls(offsets, ids, first + np.arange(len(offsets) - 1))
+
+    @property
+    def sizes(self) -> Ids:
+        return np.diff(self.offsets)
+
+    def where(self, chosen: NDArray[np.bool_]) -> _Chains:
+        """Only those that are chosen."""
+        sizes = self.sizes
+        return _Chains(_offsets_of(sizes[chosen]), self.ids[np.repeat(chosen, sizes)], self.numbers[chosen])
+
+    def pairs(self, are_rings: bool = False) -> tuple[Ids, Ids]:
+        """The ends of each segment, and the cell that it is of."""
+        ends, chain_of = _core.constraints_along(self.offsets, self.ids, are_rings)
+        return ends, self.numbers[chain_of]
+
+
 class Source:
     """The constraints of a source.
 
@@ -61,36 +90,31 @@ class Source:
         the last so many are sides of polygons
     """
 
-    def __init__(self, mesh: Any, cloud: Cloud, rule: SourceRule) -> None:
+    def __init__(self, mesh: Any, cloud: Cloud, rule: SourceRule, settings: Any) -> None:
         self._cloud, self._rule = cloud, rule
-        self._own = rows_of_points(mesh)
+        self._own = rows_of_points(mesh, "the source")
         self._kept = cloud.ids(np.arange(len(cloud.array)))
-        lines, polygons = (_chains_of(cells) for cells in (mesh.GetLines(), mesh.GetPolys()))
         first = mesh.GetNumberOfVerts()
-        numbers = first + np.arange(len(lines) + len(polygons))
-        corners = np.concatenate([np.empty(0, np.int64), *lines, *polygons])
+        lines = _Chains.of(mesh.GetLines(), first)
+        polygons = _Chains.of(mesh.GetPolys(), first + len(lines.numbers))
+        corners = np.concatenate([lines.ids, polygons.ids])
         self.is_own = rule.points == _OWN or rule.points == _AUTOMATIC and self._are_own(corners)
-        signs = np.zeros(len(lines), np.int8)
+        signs = np.zeros(len(lines.numbers), np.int8)
         if rule.closed_as_borders:
-            signs = self._closed(lines, polygons, corners, numbers)
-        are_rings = signs != 0
-        line_numbers = numbers[: len(lines)]
-        parts = (
-            _pairs_of([line for line, is_ring in zip(lines, are_rings) if not is_ring], line_numbers[~are_rings]),
-            _pairs_of([line for line, is_ring in zip(lines, are_rings) if is_ring], line_numbers[are_rings]),
-            _pairs_of(polygons, numbers[len(lines) :], True),
-        )
+            signs = self._closed(lines, polygons, corners, settings)
+        parts = lines.where(signs == 0).pairs(), lines.where(signs != 0).pairs(), polygons.pairs(True)
         ends, self.cell_of = (np.concatenate(some) for some in zip(*parts))
         self.sides = len(parts[1][0]) + len(parts[2][0])
-        against = np.append(signs, np.zeros(len(polygons), np.int8))[self.cell_of - first] < 0
+        against = np.append(signs, np.zeros(len(polygons.numbers), np.int8))[self.cell_of - first] < 0
         ends[against] = ends[against][:, ::-1]
         self._require(ends.ravel(), np.repeat(self.cell_of, 2))
         self.ends = ends if self.is_own else np.searchsorted(self._kept, ends)
 
-    @property
+    @cached_property
     def points(self) -> NDArray[Any]:
         """The source's own points, as the engine reads them."""
-        return points_of(self._own, True)[0]
+        with of_source():
+            return points_of(self._own, True)[0]
 
     def engine(self, call: Callable[..., Any], *arguments: Any, piece_of: Ids | None = None) -> Any:
         """The engine's result; its errors about constraints, or pieces of them, name cells."""
@@ -115,16 +139,15 @@ class Source:
         same: NDArray[np.bool_] = ((own == given) | (np.isnan(own) & np.isnan(given))).all(axis=1)
         return same
 
-    def _closed(self, lines: list[Ids], polygons: list[Ids], corners: Ids, numbers: Ids) -> NDArray[np.int8]:
+    def _closed(self, lines: _Chains, polygons: _Chains, corners: Ids, settings: Any) -> NDArray[np.int8]:
         """For each line 1 if it is of a ring, -1 if it also runs against that, else 0."""
-        sizes = [len(chain) for chain in (*lines, *polygons)]
-        self._require(corners, np.repeat(numbers, sizes))
+        sizes = np.concatenate([lines.sizes, polygons.sizes])
+        self._require(corners, np.repeat(np.concatenate([lines.numbers, polygons.numbers]), sizes))
         positions = (self._own[corners] if self.is_own else self._cloud.rows(corners)).astype(np.float64)
-        offsets = np.cumsum([0, *sizes])
         found: NDArray[np.int8] = _core.closed_lines(
-            positions.reshape(-1, 3), offsets, len(polygons), self._rule.dimensions, QUIET
+            positions.reshape(-1, 3), _offsets_of(sizes), len(polygons.numbers), self._rule.dimensions, settings
         )
-        return found[: len(lines)]
+        return found[: len(lines.numbers)]
 
     def _require(self, ids: Ids, cells: Ids) -> None:
         """All points that cells name are there."""
@@ -193,34 +216,23 @@ class Source:
         )
 
 
-def rows_of_points(mesh: Any) -> NDArray[Any]:
-    """The coordinates of a mesh's points."""
-    return np.asarray(block_of(mesh, "").part.rows)  # type: ignore[union-attr]
+def rows_of_points(mesh: Any, name: str = "") -> NDArray[Any]:
+    """The coordinates of a mesh's points, which errors call so."""
+    return np.asarray(block_of(mesh, name).part.rows)  # type: ignore[union-attr]
 
 
-def _chains_of(cells: Any) -> list[Ids]:
-    """The points of each cell."""
-    if not cells.GetNumberOfCells():
-        return []
-    offsets, ids = (
-        values_of(array).astype(np.int64) for array in (cells.GetOffsetsArray(), cells.GetConnectivityArray())
-    )
-    if offsets[0] < 0 or offsets[-1] > len(ids) or (np.diff(offsets) < 0).any():
-        raise InputError(
-            f"The source's cells are not valid: their offsets name corners {offsets[0]} to {offsets[-1] - 1}, and the "
-            f"connectivity has {len(ids)}.",
-            "bad_argument",
-        )
-    return np.split(ids[offsets[0] : offsets[-1]], offsets[1:-1] - offsets[0])
+@contextmanager
+def of_source() -> Iterator[None]:
+    """Errors about points, in here, are about the source's."""
+    try:
+        yield
+    except InputError as error:
+        error._where = f"point {error.index} of the source"
+        raise
 
 
-def _pairs_of(chains: list[Ids], numbers: Ids, are_rings: bool = False) -> tuple[Ids, Ids]:
-    """The ends of each segment, and the cell that it is of."""
-    if not chains:
-        return np.empty((0, 2), np.int64), np.empty(0, np.int64)
-    offsets = np.cumsum([0, *map(len, chains)])
-    ends, chain_of = _core.constraints_along(offsets, np.concatenate(chains), are_rings)
-    return ends, numbers[chain_of]
+def _offsets_of(sizes: Ids) -> Ids:
+    return np.concatenate([np.zeros(1, np.int64), np.cumsum(sizes)])
 
 
 def _name_of(cell: int) -> str:

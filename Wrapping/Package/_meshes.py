@@ -126,7 +126,7 @@ def _part_of(data: Any, name: str, leaves: Sequence[str]) -> Part:
     if data.IsA("vtkImageData"):
         return Part(_image_points(data), None, data)
     if data.IsA("vtkRectilinearGrid"):
-        return Part(_grid_points(data), None, data)
+        return Part(_grid_points(data, name), None, data)
     points = data.GetPoints()
     if points is None:
         return Part(np.empty((0, 3), np.float32), None, data)
@@ -162,26 +162,34 @@ def _image_points(image: Any) -> NDArray[np.float64]:
     return points.reshape(-1, 3)
 
 
-def _grid_points(grid: Any) -> NDArray[Any]:
-    """The points of a rectilinear grid, x fastest: floats if all coordinates are."""
+def _grid_points(grid: Any, name: str) -> NDArray[Any]:
+    """The points of a rectilinear grid of that name, x fastest: floats if all coordinates are."""
     dimensions = grid.GetDimensions()
     if not _check_count(dimensions):
         return np.empty((0, 3), np.float32)
-    axes = []
-    for name, size in zip("XYZ", dimensions):
-        array = getattr(grid, f"Get{name}Coordinates")()
+    of = f" of {name}" if name else ""
+    axes, floats = [], True
+    for axis, size in zip("xyz", dimensions):
+        array = getattr(grid, f"Get{axis.upper()}Coordinates")()
         values = np.empty(0) if array is None else values_of(array)
         if values.ndim != 1 or len(values) < size:
             found = 0 if array is None else array.GetNumberOfTuples()
             components = 0 if array is None else array.GetNumberOfComponents()
             raise InputError(
-                f"the vtkRectilinearGrid has {found} {name.lower()} coordinate(s) of {components} component(s) and needs "
+                f"the vtkRectilinearGrid{of} has {found} {axis} coordinate(s) of {components} component(s) and needs "
                 f"{size} of 1",
                 "bad_argument",
             )
-        axes.append(values[:size])
-    floats = all(values.dtype == np.float32 for values in axes)
-    x, y, z = (weights_of(values, True)[0] for values in axes)  # exactly
+        floats = floats and values.dtype == np.float32
+        try:
+            axes.append(weights_of(values, True)[0][:size])  # exactly
+        except InputError as error:
+            raise InputError(
+                f"the {axis} coordinate {error.index} of the vtkRectilinearGrid{of} is a 64-bit integer that no double "
+                "holds. Subtract an offset from all: the result has the same shape",
+                "bad_argument", error.index,
+            ) from None
+    x, y, z = axes
     points = np.empty((len(z), len(y), len(x), 3), np.float32 if floats else np.float64)
     points[..., 0], points[..., 1], points[..., 2] = x, y[:, None], z[:, None, None]
     return points.reshape(-1, 3)
@@ -247,6 +255,8 @@ class Cloud:
             return None
         if isinstance(values, str):
             values = self._named(values, noun)
+        if self._kept is not None and isinstance(values, np.ndarray) and len(values) == self._starts[-1] and not are_kept:
+            values, are_kept = values[self._kept], True  # a ghost's may be anything
         before = self._kept if are_kept else None
         try:
             weight_array, masked = column_of(values, noun, ignore)
@@ -258,6 +268,8 @@ class Cloud:
                 "weight_count", -1, len(weight_array),
             )
         kept = weight_array if self._kept is None or are_kept else weight_array[self._kept]
+        if not len(kept):
+            return None
         try:
             self.left_out = either_excluded(self.array, self.left_out, kept, masked)
             return weights.computed(kept)
@@ -280,14 +292,14 @@ class Cloud:
         ids = self.ids(np.arange(len(self.array)))
         made = vtk.vtkPolyData()
         made.SetPoints(self._points(ids))
-        shares = [share for share in self._shares(ids) if len(share[1]) or len(self._parts) == 1]
+        shares = self._shares(ids) or [(part, ids[:0]) for part in self._parts[:1]]
         if shares:
             _copy_arrays(shares, len(ids), made.GetPointData())
         return made
 
     def heights(self) -> NDArray[Any] | None:
         """The z of the points that the engine reads: floats if they are stored so, else doubles; None: no points."""
-        if not any(part.source is not None or not part.mesh.IsA("vtkPointSet") for part in self._parts):
+        if len(self._parts) == 1 and self._parts[0].source is None and self._parts[0].mesh.IsA("vtkPointSet"):
             return None
         return self.array[:, 2].astype(np.float32 if self._stored.dtype == np.float32 else np.float64)
 
@@ -309,14 +321,16 @@ class Cloud:
         if all(marks is None for marks in marks_of):
             return None
         kept = []
-        for part, start, marks in zip(self._parts, self._starts, marks_of):
+        names = [block.name for block in self.blocks if block.part is not None]
+        for part, start, marks, name in zip(self._parts, self._starts, marks_of, names):
             count = len(part.rows)
             if marks is None or count == 0:
                 kept.append(np.arange(start, start + count))
                 continue
             values = values_of(marks).reshape(-1)
             if len(values) != count:
-                sentence = f"the point array {marks.GetName()} has {len(values)} value(s) for {count} point(s)"
+                of = f" of {name}" if name else ""
+                sentence = f"the point array {marks.GetName()}{of} has {len(values)} value(s) for {count} point(s)"
                 raise InputError(
                     f"{sentence}: mend or remove it, or have ghosts counted: skip_ghost_points=False", "bad_argument"
                 ).for_filters(f"{sentence}. Mend or remove it, or turn off Skip Ghost Points.")
@@ -381,15 +395,7 @@ class Cloud:
             if not len(part.rows):
                 continue
             array = None if part.data is None else part.data.GetAbstractArray(name)
-            wrong = ""
-            if array is None:
-                wrong = "is missing from the input's point data"
-            elif not array.IsA("vtkDataArray"):
-                wrong = f"is a {array.GetClassName()}, which does not hold numbers"
-            elif array.GetNumberOfComponents() != 1:
-                wrong = f"has {array.GetNumberOfComponents()} components; a {noun} has 1"
-            elif array.GetNumberOfTuples() != len(part.rows):
-                wrong = f"has {array.GetNumberOfTuples()} value(s) for {len(part.rows)} point(s)"
+            wrong = misfit_of(array, len(part.rows), "input", noun)
             if wrong:
                 raise InputError(f'the {noun}s\' array "{name}"{of} {wrong}', "bad_argument")
             values.append(values_of(array))
@@ -423,6 +429,19 @@ class Cloud:
         return block, point
 
 
+def misfit_of(array: Any, count: int, owner: str, noun: str) -> str:
+    """Why a point array does not hold one number for each point; empty: it does."""
+    if array is None:
+        return f"is missing from the {owner}'s point data"
+    if not array.IsA("vtkDataArray"):
+        return f"is a {array.GetClassName()}, which does not hold numbers"
+    if array.GetNumberOfComponents() != 1:
+        return f"has {array.GetNumberOfComponents()} components; a {noun} has 1"
+    if array.GetNumberOfTuples() != count:
+        return f"has {array.GetNumberOfTuples()} value(s) for {count} point(s)"
+    return ""
+
+
 def _doubles_of(parts: Sequence[NDArray[Any]]) -> list[NDArray[np.float64]]:
     """Points of several types; errors count those of all parts."""
     found, begin = [], 0
@@ -444,6 +463,24 @@ def add_block_index(mesh: Any, blocks: Sequence[Block]) -> None:
     mesh.GetPointData().AddArray(vtk.array_of(index, "BlockIndex"))
 
 
+def corners_of(cells: Any, what: str) -> tuple[Ids, Ids]:
+    """Where cells begin among their corners, from 0 to the end, and the points that these are.
+
+    what: errors call the cells so
+    """
+    if not cells.GetNumberOfCells():
+        return np.zeros(1, np.int64), np.empty(0, np.int64)
+    offsets = values_of(cells.GetOffsetsArray()).astype(np.int64)
+    ids = cells.GetConnectivityArray()
+    first, last, given = int(offsets[0]), int(offsets[-1]), ids.GetNumberOfTuples()
+    if first < 0 or last > given or (np.diff(offsets) < 0).any():
+        raise InputError(
+            f"{what} are not valid: their offsets name corners {first} to {last - 1}, and the connectivity has {given}",
+            "bad_argument",
+        )
+    return offsets - first, values_of(ids)[first:last].astype(np.int64)
+
+
 def set_cells(mesh: Any, dimension: int, size: int, offsets: Any, connectivity: Any) -> None:
     """Gives a mesh its cells: vertices, lines or polygons, all of one size or as the offsets tell."""
     if offsets is None:
@@ -456,11 +493,15 @@ def set_cells(mesh: Any, dimension: int, size: int, offsets: Any, connectivity: 
 
 def pass_field_data(data: Any, to: Any) -> None:
     """The field data, without the figures of another run."""
-    fields = to.GetFieldData()
-    fields.PassData(data.GetFieldData())
-    for name in [fields.GetArrayName(i) for i in range(fields.GetNumberOfArrays())]:
+    to.GetFieldData().PassData(data.GetFieldData())
+    drop_report(to.GetFieldData())
+
+
+def drop_report(field_data: Any) -> None:
+    """Removes the figures of another run."""
+    for name in [field_data.GetArrayName(i) for i in range(field_data.GetNumberOfArrays())]:
         if name and name.startswith("FlipFlop"):
-            fields.RemoveArray(name)
+            field_data.RemoveArray(name)
 
 
 def like_of(array: Any, count: int) -> Any:
@@ -488,9 +529,8 @@ def gathered(arrays: Sequence[tuple[Any, Ids]], count: int) -> Any:
         return like
     at = 0
     for array, ids in arrays:
-        for i in ids.tolist():
-            like.SetTuple(at, i, array)
-            at += 1
+        like.InsertTuples(vtk.id_list_of(at + np.arange(len(ids))), vtk.id_list_of(ids), array)
+        at += len(ids)
     return like
 
 

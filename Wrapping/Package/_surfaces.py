@@ -12,9 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._errors import InputError
-from ._meshes import Part
+from ._meshes import Part, corners_of
 from ._results import Ids
-from ._vtkmodules import values_of
 
 HULL_OF_POINTS = (
     "It takes triangles, polygons and triangle strips; Convex Hull (vtkFFHullFilter) gives the hull of points."
@@ -37,21 +36,27 @@ def surface_of(part: Part, name: str) -> tuple[NDArray[Any], NDArray[Any], Ids |
             f"{sentence}. {HULL_OF_POINTS}"
         )
     if vertices + lines:
-        raise InputError(
-            f"every cell of a surface must be a triangle, a polygon or a triangle strip, but cell 0{of} is a "
-            f"{'vertex' if vertices else 'line'} cell",
-            "bad_triangle", 0,
+        wrong = f"must be a triangle, a polygon or a triangle strip, but cell 0{of} is a"
+        wrong += " vertex cell" if vertices else " line cell"
+        raise InputError(f"every cell of a surface {wrong}", "bad_triangle", 0).for_filters(
+            f"Every cell of the input {wrong}. Take vertices and lines out: Extract Cells By Type "
+            "(vtkExtractCellsByType) can do that."
         )
-    starts, corners = _cells_of(polygons, of)
-    strip_starts, strip_corners = _cells_of(strips, of)
+    try:
+        starts, corners = corners_of(polygons, f"the surface's cells{of}")
+        strip_starts, strip_corners = corners_of(strips, f"the surface's cells{of}")
+    except InputError as error:
+        raise error.for_filters(str(error).replace("the surface's", "The input's", 1) + ".")
     count = len(starts) - 1
     sizes = np.concatenate([np.diff(starts), np.diff(strip_starts)])
     if (sizes < 3).any():
         cell = int((sizes < 3).argmax())
-        raise InputError(
+        sentence = (
             f"every polygon and every triangle strip must have three points or more, but cell {cell}{of} is a "
-            f"{'polygon' if cell < count else 'strip'} of {sizes[cell]}",
-            "bad_triangle", cell,
+            f"{'polygon' if cell < count else 'strip'} of {sizes[cell]}"
+        )
+        raise InputError(sentence, "bad_triangle", cell).for_filters(
+            f"{sentence}. Clean (vtkCleanPolyData) can take it out."
         )
     if (sizes[:count] == 3).all() and len(sizes) == count:
         return starts, corners, None
@@ -59,22 +64,6 @@ def surface_of(part: Part, name: str) -> tuple[NDArray[Any], NDArray[Any], Ids |
     cell_of = np.repeat(count + np.arange(len(sizes) - count), sizes[count:] - 2)
     all_starts = np.concatenate([starts, starts[-1] + 3 * np.arange(1, len(triangles) + 1)])
     return all_starts, np.concatenate([corners, triangles.reshape(-1)]), np.concatenate([np.arange(count), cell_of])
-
-
-def _cells_of(cells: Any, of: str) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Where cells begin, from 0 to the end, and their corners."""
-    if not cells.GetNumberOfCells():
-        return np.zeros(1, np.int64), np.empty(0, np.int64)
-    offsets = values_of(cells.GetOffsetsArray()).astype(np.int64)
-    given = cells.GetConnectivityArray().GetNumberOfTuples()
-    first, last = int(offsets[0]), int(offsets[-1])
-    if not 0 <= first or last > given or (np.diff(offsets) < 0).any():
-        raise InputError(
-            f"the surface's cells{of} are not valid: their offsets name corners {first} to {last - 1}, and the "
-            f"connectivity has {given}",
-            "bad_argument",
-        )
-    return offsets - first, values_of(cells.GetConnectivityArray())[first:last].astype(np.int64)
 
 
 def _triangles_of_strips(starts: NDArray[np.int64], corners: NDArray[np.int64]) -> NDArray[np.int64]:

@@ -55,8 +55,9 @@ def values_of(array: Any) -> Any:
     if array.IsA("vtkStringArray"):
         return np.array([array.GetValue(i) for i in range(array.GetNumberOfValues())], object)
     if array.IsA("vtkBitArray"):
-        bits = [array.GetValue(i) for i in range(array.GetNumberOfValues())]
-        return np.array(bits, np.uint8).reshape(-1, array.GetNumberOfComponents())
+        numbers = _core.vtkUnsignedCharArray()
+        numbers.DeepCopy(array)
+        return np.asarray(_support.vtk_to_numpy(numbers)).reshape(-1, array.GetNumberOfComponents())
     if not array.HasStandardMemoryLayout() and hasattr(array, "ToAOSDataArray"):
         array = array.ToAOSDataArray()  # cvista 9.7 does not read the other one on every Python
     return np.asarray(_support.vtk_to_numpy(array))
@@ -113,6 +114,14 @@ def cells_of(offsets: NDArray[np.int64], connectivity: NDArray[np.int64]) -> Any
     cells = vtkCellArray()
     cells.SetData(ids_of(offsets), ids_of(connectivity))
     return cells
+
+
+def id_list_of(ids: NDArray[np.int64]) -> Any:
+    """A vtkIdList, which takes no array: by way of a cell."""
+    found = _core.vtkIdList()
+    if len(ids):
+        cells_of(np.array([0, len(ids)]), ids).GetCellAtId(0, found)
+    return found
 
 
 def matrix_of(rows: NDArray[np.float64]) -> Any:
