@@ -16,6 +16,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkImageData,
     vtkMultiBlockDataSet,
     vtkPolyData,
+    vtkRectilinearGrid,
     vtkTable,
     vtkUnstructuredGrid,
 )
@@ -29,6 +30,8 @@ try:
 except ImportError as error:
     WHY_NOT = f"One process does not have both kinds here: {error}"
 
+# Where one kind may take a GPU, or says why not, both are told to take the CPU.
+ENGINE = [] if WHY_NOT or compiled.vtkFFHullFilter.GetCUDAProblem() == python.vtkFFHullFilter.GetCUDAProblem() else [1]
 CASES = int(os.environ.get("FLIPFLOP_TEST_CASES", 120))
 NUMBERS = [0.05, 0.3, 1.0, np.inf, -1.0, np.nan]
 FLAGS = ["SkipGhostPoints", "PassPointData", "VisiblePointIds", "ReportAsFieldData", "VBiased", "FacetMode",
@@ -89,7 +92,8 @@ class Made:
     def calls(self, name):
         kind = getattr(compiled, name)
         choices = {**{flag: [0, 1] for flag in FLAGS if hasattr(kind, f"Set{flag}")}, **SETTINGS[name]}
-        found = [(f"Set{key}", self.one_of(values)) for key, values in choices.items() if self.chance(0.25)]
+        found = [("SetEngine", engine) for engine in ENGINE if hasattr(kind, "SetEngine")]
+        found += [(f"Set{key}", self.one_of(values)) for key, values in choices.items() if self.chance(0.25)]
         if ("WeightMode" in choices or "Tolerance" in choices) and self.chance(0.4):
             array = self.one_of(["w", "w", "w", "a0", "None", "", "missing", 0])
             found.append(("SetInputArrayToProcess", 0, 0, 0, self.one_of([0, 0, 0, 1]), array))
@@ -113,12 +117,23 @@ class Made:
             rows[self.random.integers(len(rows)), self.random.integers(3)] = self.one_of([np.nan, np.inf])
         elif self.chance(0.1):
             return np.round(6.0 * rows).astype(np.int32)
+        elif self.chance(0.05):
+            return self.integers(rows.shape)
         return rows.astype(self.one_of([np.float32, np.float64]))
+
+    def integers(self, shape):
+        """Of 64 bits; there may be one that no double holds."""
+        rows = np.round(6.0 * self.random.random(shape)).astype(np.int64)
+        if rows.size and self.chance(0.3):
+            rows.ravel()[self.random.integers(rows.size)] = 2**53 + 1
+        return rows
 
     def array(self, count):
         kind = self.one_of(["f4", "f8", "i8", "u1", "text", "bit", "vector"])
         if kind == "vector":
             return numpy_to_vtk(self.random.random((count, 3)), deep=True)
+        if kind == "i8":
+            return numpy_to_vtk(self.integers(count), deep=True)
         if kind not in ("text", "bit"):
             return numpy_to_vtk((100.0 * self.random.random(count)).astype(kind), deep=True)
         array = vtkStringArray() if kind == "text" else vtkBitArray()
@@ -131,11 +146,13 @@ class Made:
         count, attributes = data.GetNumberOfPoints(), data.GetPointData()
         arrays = {f"a{i}": self.array(count) for i in range(self.random.integers(4))}
         if self.chance(0.4):
-            arrays["w"] = numpy_to_vtk(self.one_of([0.02, 1.0]) * self.random.random(count), deep=True)
+            numbers = self.one_of([0.02, 1.0]) * self.random.random(count)
+            arrays["w"] = numpy_to_vtk(self.integers(count) if self.chance(0.1) else numbers, deep=True)
         if self.chance(0.15):
             marks = self.random.choice(np.array([0, 0, 1, 2], np.uint8), count)
-            marks[:1] = 0
-            arrays["vtkGhostType"] = numpy_to_vtk(marks, deep=True)
+            if self.chance(0.1):
+                marks[:] = 1
+            arrays["vtkGhostType"] = numpy_to_vtk(marks[1:] if self.chance(0.05) else marks, deep=True)
         for name, array in arrays.items():
             array.SetName(name)
             attributes.AddArray(array)
@@ -148,6 +165,12 @@ class Made:
             data = vtkImageData()
             data.SetDimensions(*self.random.integers(1, 5, 3).tolist())
             data.SetSpacing(0.1, 0.3, 0.7)
+        elif self.chance(0.05):
+            data = vtkRectilinearGrid()
+            sizes = self.random.integers(1, 5, 3)
+            data.SetDimensions(*sizes.tolist())
+            for setter, size in zip((data.SetXCoordinates, data.SetYCoordinates, data.SetZCoordinates), sizes):
+                setter(numpy_to_vtk(self.integers(size - self.chance(0.05)), deep=True))
         else:
             data = self.one_of([vtkPolyData, vtkUnstructuredGrid])()
             points = vtkPoints()
@@ -183,6 +206,13 @@ class Made:
         for i in range(1 if self.chance(0.1) else 0, polygons.GetNumberOfCells()):
             polygons.GetCellAtId(i, ids)
             cells.InsertNextCell(ids)
+        if self.chance(0.1):
+            corners = self.one_of([[0, 1], [0, 1, 0, 1]])
+            cells.InsertNextCell(len(corners), corners)
+        if self.chance(0.1):
+            lines = vtkCellArray()
+            lines.InsertNextCell(2, [0, 0])
+            self.one_of([surface.SetVerts, surface.SetLines])(lines)
         surface.SetPolys(cells)
         return self.with_data(surface)
 
@@ -199,6 +229,8 @@ class Made:
             cells = vtkCellArray()
             for _ in range(self.random.integers(4) if count else 0):
                 ids = self.random.integers(0, count, self.random.integers(least, least + 3)).tolist()
+                if self.chance(0.05):
+                    ids[0] = self.one_of([-1, count])
                 cells.InsertNextCell(len(ids), ids)
             add(cells)
         return source
