@@ -4,10 +4,12 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from . import _vtkmodules as vtk
 from ._errors import InputError
+from ._filter_errors import SettingError
 from ._meshes import misfit_of
 
 _vtkAlgorithm = vtk.module("vtkCommonExecutionModel").vtkAlgorithm
@@ -38,10 +40,18 @@ def array_to_process(algorithm: Any, data: Any, of: str = "", owner: str = "inpu
         array = points.GetAbstractAttribute(attribute) if label else None
         named = f' "{array.GetName()}",' if array is not None and array.GetName() else ","
         what = f"The {noun}s' array{of}, the point data's active {label or 'array'}{named}"
-    fault = _fault_of(array, choice.Get(_vtkDataObject.FIELD_ASSOCIATION()), data.GetNumberOfPoints(), owner, noun)
+    whose = "its" if of else f"the {owner}'s"
+    fault = _fault_of(array, choice.Get(_vtkDataObject.FIELD_ASSOCIATION()), data.GetNumberOfPoints(), whose, noun)
     if fault:
         raise InputError(f"{what} {fault}.", "bad_argument")
     return array
+
+
+def factor_of(factor: float, is_used: bool) -> float:
+    """The factor of an array of weights; without one it does not matter."""
+    if is_used and not math.isfinite(factor):
+        raise SettingError(f"Weight Factor is {factor:g}; it must be finite.")
+    return factor
 
 
 def _choice_of(algorithm: Any) -> Any:
@@ -49,7 +59,7 @@ def _choice_of(algorithm: Any) -> Any:
     return None if chosen is None else chosen.GetInformationObject(0)
 
 
-def _fault_of(array: Any, association: int, count: int, owner: str, noun: str) -> str:
+def _fault_of(array: Any, association: int, count: int, whose: str, noun: str) -> str:
     if association not in _OF_POINTS:
         return f"was asked for as data that does not belong to the points; {noun}s must be point data"
-    return misfit_of(array, count, owner, noun)
+    return misfit_of(array, count, whose, noun)

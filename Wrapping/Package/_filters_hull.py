@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from enum import IntEnum
 from typing import Any
 
@@ -229,16 +230,24 @@ class vtkFFHullFilter(vtkFFHullAlgorithm):
 def blocks_for(data: Any, of: str = "") -> list[Block]:
     """The data sets of a composite as one input, which errors name: " of the surface"."""
     blocks = []
+    for leaf, index in leaves_of_composite(data):
+        block = block_for(leaf, Task([], None, name_of_block(index, of)))
+        block.flat_index = index
+        blocks.append(block)
+    return blocks
+
+
+def leaves_of_composite(data: Any) -> Iterator[tuple[Any, int]]:
+    """The data sets of a composite, with their flat indices."""
     leaves = data.NewIterator()
     leaves.InitTraversal()
     while not leaves.IsDoneWithTraversal():
-        index = leaves.GetCurrentFlatIndex()
-        name = f"the block of flat index {index}{of}"
-        block = block_for(leaves.GetCurrentDataObject(), Task([], None, name))
-        block.flat_index = index
-        blocks.append(block)
+        yield leaves.GetCurrentDataObject(), leaves.GetCurrentFlatIndex()
         leaves.GoToNextItem()
-    return blocks
+
+
+def name_of_block(index: int, of: str) -> str:
+    return f"the block of flat index {index}{of}"
 
 
 @with_settings(

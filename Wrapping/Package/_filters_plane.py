@@ -17,7 +17,7 @@ from . import _vtkmodules as vtk
 from ._arguments import Weights
 from ._domain import Domain
 from ._errors import FlipFlopError
-from ._filter_arrays import array_to_process
+from ._filter_arrays import array_to_process, factor_of
 from ._filter_base import TakesLines, Task, block_for, reports
 from ._filter_errors import SettingError
 from ._filter_settings import Choice, Flag, Setting, number, numbers, with_settings
@@ -145,12 +145,6 @@ class vtkFFPlanarAlgorithm(vtkFFAlgorithm):
 
 def _of(task: Task) -> str:
     return f" of {task.name}" if task.name else ""
-
-
-def factor_of(factor: float, is_used: bool) -> float:
-    if is_used and not math.isfinite(factor):
-        raise SettingError(f"Weight Factor is {factor:g}; it must be finite.")
-    return factor
 
 
 def refuse_weights(plane: Plane) -> None:

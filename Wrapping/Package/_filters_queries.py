@@ -14,14 +14,14 @@ from . import _core
 from . import _vtkmodules as vtk
 from ._arguments import Weights
 from ._errors import FlipFlopError
-from ._filter_arrays import array_to_process
+from ._filter_arrays import array_to_process, factor_of
 from ._filter_base import Algorithm, Report, TakesSource, Task, block_for, data_of, reports, request_all
-from ._filter_errors import INPUT, NO_ERROR, SettingError, naming
+from ._filter_errors import INPUT, NO_ERROR, naming
 from ._filter_settings import VTK_INT_MAX, Choice, Flag, Setting, add_method, integer, number, numbers, with_settings
 from ._filter_values import INTERPOLATION_MODE, Grid, InterpolatedData, settings_of_values
-from ._filters_hull import blocks_for, threads_of_vtk
+from ._filters_hull import blocks_for, leaves_of_composite, name_of_block, threads_of_vtk
 from ._hull import hull_queries
-from ._meshes import Cloud
+from ._meshes import Cloud, drop_report
 from ._results import Report as Progress
 from ._results import stretch
 
@@ -66,6 +66,13 @@ class vtkFFQueryAlgorithm(Algorithm):
         """Forget it."""
         raise NotImplementedError
 
+    def _judge(self, data: Any, name: str) -> None:
+        """Refuse a data set of the second input as it came."""
+
+    def _query(self, data: Any, task: Task) -> None:
+        """Adds what is asked for to the result, which is a shallow copy of the data."""
+        raise NotImplementedError
+
     def _make(self, cloud: Cloud, part: Callable[[float, float], Any]) -> None:
         """Make it of these points, with the settings of each part of the run."""
         raise NotImplementedError
@@ -73,6 +80,11 @@ class vtkFFQueryAlgorithm(Algorithm):
     _what, _share = "A coordinate", 0.4  # that may not be finite, of the second input; of the progress
 
     # ---- Details ----
+
+    def _execute(self, data: Any, inputs: Any, task: Task) -> None:
+        task.results[0].ShallowCopy(data)
+        drop_report(task.results[0].GetFieldData())
+        self._query(data, task)
 
     def _prepare(self, inputs: Any, progress: Progress) -> float:
         source = data_of(inputs[1])
@@ -87,6 +99,11 @@ class vtkFFQueryAlgorithm(Algorithm):
         with naming(self._what):
             composite = source.IsA("vtkCompositeDataSet")
             name = f"the {self._owner}"
+            if composite:
+                for leaf, index in leaves_of_composite(source):
+                    self._judge(leaf, name_of_block(index, f" of {name}"))
+            else:
+                self._judge(source, name)
             blocks = blocks_for(source, f" of {name}") if composite else [block_for(source, Task([], None, name))]
             cloud = Cloud(blocks, self._settings["SkipGhostPoints"], self._ignores)
             self._make(cloud, self._parts(self._ignores, stretch(progress, 0.0, self._share)))
@@ -127,14 +144,8 @@ for _kind in ("PolyData", "StructuredPoints", "ImageData", "StructuredGrid", "Un
 
 def _data_in(source: Any) -> list[Any]:
     """A source and its blocks: a composite does not know when these change."""
-    found = [source]
-    if source.IsA("vtkCompositeDataSet"):
-        leaves = source.NewIterator()
-        leaves.InitTraversal()
-        while not leaves.IsDoneWithTraversal():
-            found.append(leaves.GetCurrentDataObject())
-            leaves.GoToNextItem()
-    return found
+    leaves = leaves_of_composite(source) if source.IsA("vtkCompositeDataSet") else ()
+    return [source, *(leaf for leaf, _ in leaves)]
 
 
 def _addresses(source: Any) -> list[str]:
@@ -147,7 +158,6 @@ class vtkFFSelectEnclosedPoints(vtkFFQueryAlgorithm):
 
     _title, _owner = "Points in convex hull", "surface"
     _hull: Any = None  # the hull's dimension, and what answers queries
-    _selected: Any = None  # of the last run
 
     def SetSurfaceData(self, surface: Any) -> None:
         self.SetInputData(1, surface)
@@ -159,8 +169,9 @@ class vtkFFSelectEnclosedPoints(vtkFFQueryAlgorithm):
         return self.GetInput(1)
 
     def IsInside(self, point: int) -> int:
-        """Whether the last run selected this point of the input; 0 also for a composite of several data sets."""
-        selected = self._selected
+        """Whether the last run selected this point of the input: what its output says; 0 for a composite."""
+        output = self.GetOutput()
+        selected = None if output is None else output.GetPointData().GetAbstractArray("SelectedPoints")
         return int(selected.GetValue(point)) if selected and 0 <= point < selected.GetNumberOfValues() else 0
 
     def Initialize(self, surface: Any) -> None:
@@ -181,7 +192,6 @@ class vtkFFSelectEnclosedPoints(vtkFFQueryAlgorithm):
         x, y, z = numbers(3)(point[0] if len(point) == 1 else point)
         if self._hull is None:
             self._code = INPUT
-            self.Modified()
             self._say("Error", "There is no surface to ask about: call Initialize() or update the filter first.")
             return 0
         found = self._hull[1].contains(np.array([[x, y, z]], np.float64), _core.Settings(1, False, True, 1, None))
@@ -190,15 +200,6 @@ class vtkFFSelectEnclosedPoints(vtkFFQueryAlgorithm):
     def Complete(self) -> None:
         """Release the memory."""
         self._drop()
-        self._selected = None
-
-    def RequestData(self, request: Any, inputs: Any, outputs: Any) -> int:
-        self._selected = None
-        done = super().RequestData(request, inputs, outputs)
-        output = data_of(outputs)
-        if output is not None and output.IsA("vtkDataSet"):
-            self._selected = output.GetPointData().GetAbstractArray("SelectedPoints")
-        return done
 
     def _is_made(self) -> bool:
         return self._hull is not None
@@ -210,12 +211,11 @@ class vtkFFSelectEnclosedPoints(vtkFFQueryAlgorithm):
         core = cloud.engine(_core.convex_hull, cloud.array, part(0.0, 0.8))
         self._hull = core.dimension, cloud.engine(hull_queries, cloud.array, core, part(0.8, 1.0))
 
-    def _execute(self, data: Any, inputs: Any, task: Task) -> None:
+    def _query(self, data: Any, task: Task) -> None:
         cloud = Cloud([block_for(data, task)], False, self._ignores)
         part = self._parts(self._ignores, task.progress)
         dimension, queries = self._hull
         result = task.results[0]
-        result.ShallowCopy(data)
         end = 0.3 if self._settings["GenerateDistances"] else 1.0
         sides = cloud.engine(queries.contains, cloud.array, part(0.0, end))
         arrays = result.GetPointData()
@@ -272,13 +272,16 @@ class vtkFFPointInterpolator2D(TakesSource, vtkFFQueryAlgorithm):
     def _drop(self) -> None:
         self._data = None
 
+    def _judge(self, data: Any, name: str) -> None:
+        if data.IsA("vtkDataSet"):
+            array_to_process(self, data, f" of {name}", "source")
+
     def _make(self, cloud: Cloud, part: Callable[[float, float], Any]) -> None:
         chosen, source = self._settings, cloud.source()
         of = f" of {cloud.blocks[0].name}" if len(cloud.blocks) == 1 else ""
         array = array_to_process(self, source, of, "source")
-        if not math.isfinite(chosen["WeightFactor"]):
-            raise SettingError(f"Weight Factor is {chosen['WeightFactor']:g}; it must be finite.")
-        given = Weights(None if array is None else vtk.values_of(array), chosen["WeightMode"] == 1, chosen["WeightFactor"])
+        factor = factor_of(chosen["WeightFactor"], array is not None)
+        given = Weights(None if array is None else vtk.values_of(array), chosen["WeightMode"] == 1, factor)
         weights = cloud.weights(given, self._ignores, "radius" if given.are_radii else "weight", True)
         core = cloud.engine(_core.regular_triangulation, cloud.array, weights, part(0.0, 0.5))
         queries = cloud.engine(_core.triangulation_queries, cloud.array, weights, core, part(0.5, 1.0))
@@ -286,10 +289,9 @@ class vtkFFPointInterpolator2D(TakesSource, vtkFFQueryAlgorithm):
         self._data = InterpolatedData({**chosen}, queries, len(cloud.array), cloud.heights(), data, excluded)
         self._dimension = core.dimension
 
-    def _execute(self, data: Any, inputs: Any, task: Task) -> None:
+    def _query(self, data: Any, task: Task) -> None:
         assert self._data is not None
         result = task.results[0]
-        result.ShallowCopy(data)
         for name, fields in (
             ("Point", result.GetPointData()), ("Cell", result.GetCellData()), ("Field", result.GetFieldData())
         ):

@@ -395,7 +395,7 @@ class Cloud:
             if not len(part.rows):
                 continue
             array = None if part.data is None else part.data.GetAbstractArray(name)
-            wrong = misfit_of(array, len(part.rows), "input", noun)
+            wrong = misfit_of(array, len(part.rows), "its" if of else "the input's", noun)
             if wrong:
                 raise InputError(f'the {noun}s\' array "{name}"{of} {wrong}', "bad_argument")
             values.append(values_of(array))
@@ -429,10 +429,10 @@ class Cloud:
         return block, point
 
 
-def misfit_of(array: Any, count: int, owner: str, noun: str) -> str:
+def misfit_of(array: Any, count: int, whose: str, noun: str) -> str:
     """Why a point array does not hold one number for each point; empty: it does."""
     if array is None:
-        return f"is missing from the {owner}'s point data"
+        return f"is missing from {whose} point data"
     if not array.IsA("vtkDataArray"):
         return f"is a {array.GetClassName()}, which does not hold numbers"
     if array.GetNumberOfComponents() != 1:
