@@ -177,7 +177,6 @@ class vtkFFSelectEnclosedPoints(vtkFFQueryAlgorithm):
     def Initialize(self, surface: Any) -> None:
         """Prepare the hull of a surface's points, as a run does, for IsInsideSurface()."""
         self.Complete()
-        self.SetProgressText(self._title)
         self._report, self._code = Report(), NO_ERROR
         try:
             if surface is None:
