@@ -30,7 +30,15 @@ try:
     _Base = vtk.module("util.vtkAlgorithm").VTKPythonAlgorithmBase
 except ImportError as error:
     raise ImportError(f"This VTK has no algorithms in Python: {error}", name=error.name) from None
-_Pipeline = _execution.vtkDemandDrivenPipeline
+_Pipeline = _execution.vtkStreamingDemandDrivenPipeline
+_NOT_GENERATED = _Pipeline.REQUEST_DATA_NOT_GENERATED()
+# The requests that an algorithm may answer: as the base does it, which looks for the keys each time.
+_REQUESTS = (
+    (_Pipeline.REQUEST_DATA_OBJECT(), "RequestDataObject"),
+    (_Pipeline.REQUEST_INFORMATION(), "RequestInformation"),
+    (_Pipeline.REQUEST_UPDATE_EXTENT(), "RequestUpdateExtent"),
+    (_Pipeline.REQUEST_DATA(), "RequestData"),
+)
 vtkAlgorithm, vtkDataObject = _execution.vtkAlgorithm, vtk.module("vtkCommonDataModel").vtkDataObject
 _new_object = vtk.module("vtkCommonDataModel").vtkDataObjectTypes.NewDataObject
 
@@ -194,10 +202,14 @@ class Algorithm(_Base):  # type: ignore[misc, valid-type]
     # ---- The requests ----
 
     def ProcessRequest(self, request: Any, inputs: Any, outputs: Any) -> int:
-        if request.Has(_Pipeline.REQUEST_DATA_NOT_GENERATED()):
+        if request.Has(_NOT_GENERATED):
             # The executive's first request of each run, also of one that is aborted before RequestData().
             self._report, self._code = Report(), NO_ERROR
-        return int(super().ProcessRequest(request, inputs, outputs))
+            return 1
+        for key, name in _REQUESTS:
+            if request.Has(key):
+                return int(getattr(self, name)(request, inputs, outputs))
+        return 1
 
     def RequestDataObject(self, request: Any, inputs: Any, outputs: Any) -> int:
         """Each output is a result, or a composite of the input's structure; of an AMR, a vtkMultiBlockDataSet."""
@@ -429,7 +441,7 @@ def data_of(vector: Any) -> Any:
 
 def request_all(vector: Any) -> None:
     """Ask for all of an input, whatever part of an output is asked for."""
-    info, pipeline = vector.GetInformationObject(0), _execution.vtkStreamingDemandDrivenPipeline
+    info, pipeline = vector.GetInformationObject(0), _Pipeline
     if info is None:
         return
     info.Remove(pipeline.UPDATE_EXTENT())

@@ -378,6 +378,8 @@ class Cloud:
 
     def _shares(self, ids: Ids) -> list[tuple[Part, Ids]]:
         """Of each part with points that are no ghosts, the ids of ascending ones, counted there."""
+        if self._kept is None and len(self._parts) == 1:
+            return [(self._parts[0], ids)] if self.count else []
         found = []
         for part, start in zip(self._parts, self._starts):
             span = start, start + len(part.rows)
@@ -523,9 +525,10 @@ def gathered(arrays: Sequence[tuple[Any, Ids]], count: int) -> Any:
     first = arrays[0][0]
     like = like_of(first, count)
     if first.IsA("vtkDataArray") and not first.IsA("vtkBitArray"):
-        values = [values_of(array)[ids] for array, ids in arrays]
-        if count:
-            np.concatenate(values, out=values_of(like))
+        at, values = 0, values_of(like) if count else None
+        for array, ids in arrays if count else ():
+            np.take(values_of(array), ids, 0, values[at : at + len(ids)], "clip")
+            at += len(ids)
         return like
     at = 0
     for array, ids in arrays:
@@ -537,6 +540,8 @@ def gathered(arrays: Sequence[tuple[Any, Ids]], count: int) -> Any:
 def _copy_arrays(shares: Sequence[tuple[Part, Ids]], count: int, to: Any) -> None:
     """The arrays that all parts have, and what they are active as."""
     leader = shares[0][0].data
+    if not leader.GetNumberOfArrays():
+        return
     for i in range(leader.GetNumberOfArrays()):
         array = leader.GetAbstractArray(i)
         found = []
