@@ -66,7 +66,7 @@ class vtkFFQueryAlgorithm(Algorithm):
         """Forget it."""
         raise NotImplementedError
 
-    def _judge(self, data: Any, name: str) -> None:
+    def _validate_source(self, data: Any, name: str) -> None:
         """Refuse a data set of the second input as it came."""
 
     def _query(self, data: Any, task: Task) -> None:
@@ -101,9 +101,9 @@ class vtkFFQueryAlgorithm(Algorithm):
             name = f"the {self._owner}"
             if composite:
                 for leaf, index in leaves_of_composite(source):
-                    self._judge(leaf, name_of_block(index, f" of {name}"))
+                    self._validate_source(leaf, name_of_block(index, f" of {name}"))
             else:
-                self._judge(source, name)
+                self._validate_source(source, name)
             blocks = blocks_for(source, f" of {name}") if composite else [block_for(source, Task([], None, name))]
             cloud = Cloud(blocks, self._settings["SkipGhostPoints"], self._ignores)
             self._make(cloud, self._parts(self._ignores, stretch(progress, 0.0, self._share)))
@@ -271,7 +271,7 @@ class vtkFFPointInterpolator2D(TakesSource, vtkFFQueryAlgorithm):
     def _drop(self) -> None:
         self._data = None
 
-    def _judge(self, data: Any, name: str) -> None:
+    def _validate_source(self, data: Any, name: str) -> None:
         if data.IsA("vtkDataSet"):
             array_to_process(self, data, f" of {name}", "source")
 
