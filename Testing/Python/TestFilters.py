@@ -126,6 +126,8 @@ class TestHull(unittest.TestCase):
         triangulation.SetInputData(poly_data(RANDOM.random((300000, 2))))
         triangulation.SetNumberOfThreads(1)
         next_one.SetInputConnection(triangulation.GetOutputPort())
+        # Python has no handler where it was started by what ignores the signal.
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.default_int_handler))
         messages, timer = errors_of(triangulation), threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT))
         timer.start()
         with self.assertRaises(KeyboardInterrupt):
