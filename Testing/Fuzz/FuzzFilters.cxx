@@ -78,6 +78,14 @@ vtkSmartPointer<vtkAlgorithm> ofOneProcess()
   return filter;
 }
 
+/// By default an image has more: where sites are far out, each may take a millisecond.
+vtkSmartPointer<vtkAlgorithm> withFewPixels()
+{
+  auto filter = vtkSmartPointer<vtkFFPointsToImage>::New();
+  filter->SetDimensions(32, 32);
+  return filter;
+}
+
 constexpr int Kinds = 11;
 
 vtkSmartPointer<vtkAlgorithm> makeFilter(int kind)
@@ -101,7 +109,7 @@ vtkSmartPointer<vtkAlgorithm> makeFilter(int kind)
     case 8:
       return vtkSmartPointer<vtkFFPointInterpolator2D>::New();
     case 9:
-      return vtkSmartPointer<vtkFFPointsToImage>::New();
+      return withFewPixels();
     case 10:
       return vtkSmartPointer<vtkFFTerrainMeshFilter>::New();
     default:
