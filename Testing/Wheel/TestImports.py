@@ -11,7 +11,7 @@ import pytest
 import vtkflipflop
 from vtkflipflop import _vtk_check
 
-HAS_VTK = bool(find_spec("vtkmodules"))
+HAS_VTK = bool(find_spec("vtkmodules") or find_spec("cvista"))
 MISSING = "VTK is missing: pip install vtk. Without it there is vtkflipflop.arrays"
 WITHOUT_CLASSES = "from vtkflipflop import _vtk_check; _vtk_check.BUILT = False\n"
 WITH_ANOTHER_VTK = """

@@ -47,7 +47,7 @@ def why_not():
     return ""
 
 
-@pytest.mark.skipif(bool(why_not()), reason=why_not())
+@pytest.mark.skipif(bool(why_not()) or not find_spec("vtk"), reason=why_not() or "there is no package vtk")
 @pytest.mark.parametrize("order", list(itertools.permutations(("vtk", "pyvista", "vtkflipflop"))))
 def test_objects_are_shared(order):
     done = subprocess.run(

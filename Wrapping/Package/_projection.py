@@ -111,8 +111,8 @@ def projection_of(mode: str, transform: Any) -> Projection:
 def _transform_of(matrix: Floats) -> Any:
     """Without a division where there is nothing to divide by."""
     is_linear = tuple(matrix[3]) == (0.0, 0.0, 0.0, 1.0)
-    made = _transforms.vtkMatrixToLinearTransform() if is_linear else _transforms.vtkMatrixToHomogeneousTransform()
-    made.SetInput(vtk.matrix_of(matrix))
+    made = _transforms.vtkTransform() if is_linear else _transforms.vtkPerspectiveTransform()
+    made.SetMatrix(vtk.matrix_of(matrix))
     return made
 
 
