@@ -101,15 +101,15 @@ void testOtherExceptions()
   FF_CHECK_EQUAL(said([] { throw FFBadConstraint("Mend it."); }), "5: Mend it.");
 }
 
-/// While the error or a warning is told, nothing is left of the run, nor of the one before.
-void testStateAsErrorsAreTold()
+/// While the error or a warning is reported, nothing is left of the run, nor of the one before.
+void testStateAsErrorsAreReported()
 {
   vtkNew<vtkFFHullFilter> filter;
   filter->SetInputData(makePoints(cubeCorners()));
   filter->Update();
-  int told = 0;
+  int count = 0;
   vtkNew<vtkCallbackCommand> looker;
-  looker->SetClientData(&told);
+  looker->SetClientData(&count);
   looker->SetCallback(
     [](vtkObject* caller, unsigned long, void* data, void*)
     {
@@ -124,7 +124,7 @@ void testStateAsErrorsAreTold()
   run.Do([] { throw std::runtime_error("What it says."); });
   run.Warnings.emplace_back("Mind it.");
   run.Finish({ filter->GetOutput() });
-  FF_CHECK_EQUAL(told, 2);
+  FF_CHECK_EQUAL(count, 2);
 }
 
 }
@@ -133,6 +133,6 @@ int TestFFMessages(int, char*[])
 {
   testErrorsOfTheEngine();
   testOtherExceptions();
-  testStateAsErrorsAreTold();
+  testStateAsErrorsAreReported();
   return result();
 }

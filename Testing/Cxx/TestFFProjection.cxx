@@ -205,7 +205,7 @@ void testOtherPoints()
   FF_CHECK_EQUAL(input.GetPlane().count, 3);
 }
 
-/// The look for a vertical plane: of no point, stopped, and told once.
+/// The look for a vertical plane: of no point, stopped, and reported once.
 void testVerticalPlane()
 {
   vtkNew<vtkFFRegularTriangulationFilter> filter;
