@@ -30,7 +30,7 @@ try:
 except ImportError as error:
     WHY_NOT = f"One process does not have both kinds here: {error}"
 
-# Where one kind may take a GPU, or says why not, both are told to take the CPU.
+# Where one kind may take a GPU, or says why not, both are set to the CPU.
 ENGINE = [] if WHY_NOT or compiled.vtkFFHullFilter.GetCUDAProblem() == python.vtkFFHullFilter.GetCUDAProblem() else [1]
 CASES = int(os.environ.get("FLIPFLOP_TEST_CASES", 120))
 NUMBERS = [0.05, 0.3, 1.0, np.inf, -1.0, np.nan]

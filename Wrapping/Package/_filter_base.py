@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import _thread
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, fields
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -298,12 +298,8 @@ class Algorithm(_Base):  # type: ignore[misc, valid-type]
     ) -> None:
         for output in outputs:
             output.CopyStructure(data)
+        pieces = [leaf for leaf, _ in leaves_of_composite(data)]
         leaves = data.NewIterator()
-        leaves.InitTraversal()
-        pieces = []
-        while not leaves.IsDoneWithTraversal():
-            pieces.append(leaves.GetCurrentDataObject())
-            leaves.GoToNextItem()
         leaves.InitTraversal()
         for i, piece in enumerate(pieces):
             results = [self._new_result(piece, self._result) for _ in outputs]
@@ -431,6 +427,15 @@ def add_report(field_data: Any, core: Any, task: Task, **more: Any) -> None:
             array = vtk.array_of(np.array([value], object if isinstance(value, str) else None))
         array.SetName(f"FlipFlop{name}")
         field_data.AddArray(array)
+
+
+def leaves_of_composite(data: Any) -> Iterator[tuple[Any, int]]:
+    """The data sets of a composite, with their flat indices."""
+    leaves = data.NewIterator()
+    leaves.InitTraversal()
+    while not leaves.IsDoneWithTraversal():
+        yield leaves.GetCurrentDataObject(), leaves.GetCurrentFlatIndex()
+        leaves.GoToNextItem()
 
 
 def data_of(vector: Any) -> Any:

@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from enum import IntEnum
 from typing import Any
 
@@ -14,7 +13,7 @@ import numpy as np
 from . import _core
 from . import _vtkmodules as vtk
 from ._errors import InputError
-from ._filter_base import Algorithm, Task, add_report, block_for, data_of, reports
+from ._filter_base import Algorithm, Task, add_report, block_for, data_of, leaves_of_composite, reports
 from ._filter_errors import Failure, SettingError
 from ._filter_settings import (
     VTK_ID_MAX,
@@ -235,15 +234,6 @@ def blocks_for(data: Any, of: str = "") -> list[Block]:
         block.flat_index = index
         blocks.append(block)
     return blocks
-
-
-def leaves_of_composite(data: Any) -> Iterator[tuple[Any, int]]:
-    """The data sets of a composite, with their flat indices."""
-    leaves = data.NewIterator()
-    leaves.InitTraversal()
-    while not leaves.IsDoneWithTraversal():
-        yield leaves.GetCurrentDataObject(), leaves.GetCurrentFlatIndex()
-        leaves.GoToNextItem()
 
 
 def name_of_block(index: int, of: str) -> str:

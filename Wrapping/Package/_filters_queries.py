@@ -15,11 +15,21 @@ from . import _vtkmodules as vtk
 from ._arguments import Weights
 from ._errors import FlipFlopError
 from ._filter_arrays import array_to_process, factor_of
-from ._filter_base import Algorithm, Report, TakesSource, Task, block_for, data_of, reports, request_all
+from ._filter_base import (
+    Algorithm,
+    Report,
+    TakesSource,
+    Task,
+    block_for,
+    data_of,
+    leaves_of_composite,
+    reports,
+    request_all,
+)
 from ._filter_errors import INPUT, NO_ERROR, naming
 from ._filter_settings import VTK_INT_MAX, Choice, Flag, Setting, add_method, integer, number, numbers, with_settings
 from ._filter_values import INTERPOLATION_MODE, Grid, InterpolatedData, settings_of_values
-from ._filters_hull import blocks_for, leaves_of_composite, name_of_block, threads_of_vtk
+from ._filters_hull import blocks_for, name_of_block, threads_of_vtk
 from ._hull import hull_queries
 from ._meshes import Cloud, drop_report
 from ._results import Report as Progress

@@ -68,7 +68,7 @@ class vtkFFTerrainMeshFilter(TakesLines, vtkFFAlgorithm):
         chosen = self._settings
         source = Source(mesh, cloud, SourceRule(chosen["SourcePoints"], 2, False), part(0.0, 0.0))
         own = None
-        if source.is_own and len(source.points):  # of these, what is wrong is told first
+        if source.is_own and len(source.points):  # what is wrong with these is reported first
             heights = self._heights_of(mesh, task, "source")
             with of_source():
                 own = None if heights is None else column_of(heights, "height", True)[0]

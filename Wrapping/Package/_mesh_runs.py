@@ -215,7 +215,7 @@ class Run:
         return made
 
     def settings(self, cloud: Cloud, report: Report) -> Any:
-        """Of a run that makes cells: it tells the engine."""
+        """Of a run that makes cells: it holds the engine that was used."""
         self._last = self._settings(cloud, report)
         return self._last
 
