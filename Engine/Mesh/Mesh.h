@@ -75,6 +75,11 @@ inline bool isFlat(const Triangle* triangles, std::uint32_t h)
   return (triangles[triangleOf(h)].flatEdges >> cornerOf(h) & 1) != 0;
 }
 
+inline void setTwin(Triangle* triangles, std::uint32_t h, std::uint32_t twin)
+{
+  triangles[triangleOf(h)].twin[cornerOf(h)] = twin;
+}
+
 /// The mesh's arrays, owned elsewhere.
 struct Mesh
 {

@@ -10,7 +10,7 @@
 #ifndef flipflop_CellClipper_h
 #define flipflop_CellClipper_h
 
-#include "PowerDiagram/FacetRings.h"
+#include "Points/Vertex.h"
 #include "PowerDiagram/PowerCorners.h"
 #include <flipflop/Buffer.h>
 

@@ -49,19 +49,19 @@ public:
   {
     PolygonClipper clipper(this->sites, this->polygon);
     PolygonClipper boxClipper(this->sites, this->box);
-    FacetRings::Ring ring;
+    Star star;
     std::vector<Index> around;
     CellPolygon cell;
     for (Index i = begin; i < end; ++i)
     {
-      this->neighbours.find(i, ring, around);
+      this->neighbours.find(i, star, around);
       if (around.empty() && this->sites.size() > 1)
       {
         refuse(this->t.pointIds[i]);
       }
-      if (!this->isInside(ring, cell))
+      if (!this->isInside(star, cell))
       {
-        this->checkRing(i, ring);
+        this->checkRing(i, star);
         if (!around.empty())
         {
           // The edge to the first neighbour ends in the first facet's center.
@@ -85,19 +85,19 @@ private:
   /// Is the triangulation regular at the edges from a site? The center of a facet must not be in
   /// the power of what is opposite across its next edge.
   /// @throw Error BadArgument
-  void checkRing(Index site, const FacetRings::Ring& ring) const
+  void checkRing(Index site, const Star& star) const
   {
-    const FacetRings* const facets = this->neighbours.facets();
-    const std::size_t count = facets ? ring.halfEdges.size() : 0;
-    for (std::size_t i = 0; i < (ring.closed ? count : std::max<std::size_t>(count, 1) - 1); ++i)
+    const VertexStars<CellSides>* const facets = this->neighbours.facets();
+    const std::size_t count = facets ? star.ring.size() : 0;
+    for (std::size_t i = 0; i < (star.isClosed ? count : std::max<std::size_t>(count, 1) - 1); ++i)
     {
-      const Index h = ring.halfEdges[i];
+      const Index h = star.ring[i];
       const auto lineTo = [this](Index other) {
         return CellLine{ &this->sites[other], nullptr, nullptr };
       };
       const CellCutter cutter(
-        this->sites[site], this->sites[facets->source(ring.halfEdges[(i + 1) % count])]);
-      const int quick = cutter.signOfRounded(this->centers[facets->facet(h)].data());
+        this->sites[site], this->sites[facets->source(star.ring[(i + 1) % count])]);
+      const int quick = cutter.signOfRounded(this->centers[facets->of().cell(h)].data());
       if (quick < 0 ||
         (quick == 0 && cutter.sign(lineTo(facets->destination(h)), lineTo(facets->source(h))) < 0))
       {
@@ -107,16 +107,16 @@ private:
   }
 
   /// Has the cell certainly no corner outside of the polygon? Then it becomes these.
-  bool isInside(const FacetRings::Ring& ring, CellPolygon& cell) const
+  bool isInside(const Star& star, CellPolygon& cell) const
   {
     cell.clear();
-    if (!this->neighbours.facets() || !ring.closed)
+    if (!this->neighbours.facets() || !star.isClosed)
     {
       return false;
     }
-    for (const Index h : ring.halfEdges)
+    for (const Index h : star.ring)
     {
-      const Index f = this->neighbours.facets()->facet(h);
+      const Index f = this->neighbours.facets()->of().cell(h);
       if (!this->isSurelyInside[f])
       {
         return false;

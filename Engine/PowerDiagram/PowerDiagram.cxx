@@ -11,7 +11,6 @@
 #include "PowerDiagram/CellRepair.h"
 #include "PowerDiagram/CornerNumbers.h"
 #include "PowerDiagram/DomainCorners.h"
-#include "PowerDiagram/FacetRings.h"
 #include "PowerDiagram/PolygonCells.h"
 #include "PowerDiagram/PowerCorners.h"
 #include "PowerDiagram/SiteNeighbours.h"
@@ -137,24 +136,24 @@ void addStrips(CellChunk& chunk, const CellComplex& t, const std::uint8_t* wante
 
 /// The corners of a site's cell before the box cuts it.
 /// @return is all of it in the box?
-bool cellOf(Index site, const FacetRings& rings, const FacetRings::Ring& ring,
+bool cellOf(Index site, const VertexStars<CellSides>& stars, const Star& star,
   const Buffer<Position>& centers, const Buffer<PowerSite>& sites, const CellClipper& clipper,
   CellPolygon& cell)
 {
-  bool inside = ring.closed;
+  bool inside = star.isClosed;
   cell.clear();
-  for (const Index h : ring.halfEdges)
+  for (const Index h : star.ring)
   {
-    const Index f = rings.facet(h);
-    cell.push_back(finiteCorner(centers[f][0], centers[f][1], rings.source(h), f));
+    const Index f = stars.of().cell(h);
+    cell.push_back(finiteCorner(centers[f][0], centers[f][1], stars.source(h), f));
     inside = inside && clipper.inside(centers[f].data());
   }
-  if (!ring.closed)
+  if (!star.isClosed)
   {
     // Outwards along the last border edge's normal, and back along the first's.
-    const Index next = rings.destination(ring.halfEdges.front());
+    const Index next = stars.destination(star.ring.front());
     const PowerSite& a = sites[site];
-    const PowerSite& last = sites[rings.source(ring.halfEdges.back())];
+    const PowerSite& last = sites[stars.source(star.ring.back())];
     const PowerSite& first = sites[next];
     const auto compare = [](double p, double q) { return (p > q) - (p < q); };
     cell.push_back(
@@ -166,11 +165,11 @@ bool cellOf(Index site, const FacetRings& rings, const FacetRings::Ring& ring,
 
 /// The cells of a run of sites.
 void addCells(CellChunk& chunk, Index begin, Index end, const CellComplex& t,
-  const std::uint8_t* wanted, const FacetRings& rings, const Buffer<Position>& centers,
+  const std::uint8_t* wanted, const VertexStars<CellSides>& stars, const Buffer<Position>& centers,
   const Buffer<PowerSite>& sites, const double* box)
 {
   CellClipper clipper(sites, box);
-  FacetRings::Ring ring;
+  Star star;
   CellPolygon cell;
   for (Index i = begin; i < end; ++i)
   {
@@ -178,8 +177,8 @@ void addCells(CellChunk& chunk, Index begin, Index end, const CellComplex& t,
     {
       continue;
     }
-    rings.walk(i, ring);
-    if (!cellOf(i, rings, ring, centers, sites, clipper, cell))
+    linkFacets(stars, t, i, star);
+    if (!cellOf(i, stars, star, centers, sites, clipper, cell))
     {
       clipper.clip(i, cell);
     }
@@ -223,13 +222,13 @@ RoundedCells roundedCells(const CellComplex& t, const std::uint8_t* wanted,
     return numberCorners(chunks, Buffer<Position>(), monitor);
   }
   const Buffer<Position> centers = facetCenters(t, sites, monitor);
-  const FacetRings rings(t);
+  const VertexStars<CellSides> stars{ CellSides(t) };
   monitor.poll();
   std::vector<CellChunk> chunks(chunkCount(sites.size(), SitesPerTask), CellChunk(centers.size()));
   eachCheckedChunk(sites.size(), SitesPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t number)
     {
-      addCells(chunks[number], static_cast<Index>(begin), static_cast<Index>(end), t, wanted, rings,
+      addCells(chunks[number], static_cast<Index>(begin), static_cast<Index>(end), t, wanted, stars,
         centers, sites, box);
       monitor.advance(static_cast<std::int64_t>(end - begin));
     });

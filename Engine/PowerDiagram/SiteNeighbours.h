@@ -5,7 +5,7 @@
 #ifndef flipflop_SiteNeighbours_h
 #define flipflop_SiteNeighbours_h
 
-#include "PowerDiagram/FacetRings.h"
+#include "Mesh/VertexStars.h"
 #include "PowerDiagram/TriangulationInput.h"
 #include <flipflop/Buffer.h>
 #include <flipflop/CellComplex.h>
@@ -48,10 +48,11 @@ class SiteNeighbours
 public:
   /// @param triangulation checked by checkCells(); it must live on
   explicit SiteNeighbours(const CellComplex& triangulation)
+    : t(triangulation)
   {
     if (triangulation.dimension == 2)
     {
-      this->rings.emplace(triangulation);
+      this->stars.emplace(CellSides(triangulation));
     }
     else if (triangulation.dimension == 1)
     {
@@ -60,21 +61,21 @@ public:
   }
 
   /// Counter-clockwise; a ring of facets starts at the first and, at the border, ends at the last.
-  /// @param ring  becomes that of the site's facets, where there are any
+  /// @param star  becomes that of the site's facets, where there are any
   /// @throw Error BadArgument for facets that are no ring
-  void find(std::uint32_t site, FacetRings::Ring& ring, std::vector<std::uint32_t>& found) const
+  void find(std::uint32_t site, Star& star, std::vector<std::uint32_t>& found) const
   {
     found.clear();
-    if (this->rings)
+    if (this->stars)
     {
-      this->rings->walk(site, ring);
-      for (const std::uint32_t h : ring.halfEdges)
+      linkFacets(*this->stars, this->t, site, star);
+      for (const std::uint32_t h : star.ring)
       {
-        found.push_back(this->rings->destination(h));
+        found.push_back(this->stars->destination(h));
       }
-      if (!ring.closed)
+      if (!star.isClosed)
       {
-        found.push_back(this->rings->source(ring.halfEdges.back()));
+        found.push_back(this->stars->source(star.ring.back()));
       }
     }
     else if (!this->onLine.empty())
@@ -85,10 +86,11 @@ public:
   }
 
   /// Null below dimension 2.
-  const FacetRings* facets() const { return this->rings ? &*this->rings : nullptr; }
+  const VertexStars<CellSides>* facets() const { return this->stars ? &*this->stars : nullptr; }
 
 private:
-  std::optional<FacetRings> rings;
+  const CellComplex& t;
+  std::optional<VertexStars<CellSides>> stars;
   LineNeighbours onLine;
 };
 

@@ -6,6 +6,7 @@
 #ifndef flipflop_TriangulationInput_h
 #define flipflop_TriangulationInput_h
 
+#include "Mesh/VertexStars.h"
 #include "Points/PointSource.h"
 #include "PowerDiagram/PowerCorners.h"
 #include "Support/Parallel.h"
@@ -107,6 +108,20 @@ inline void checkCells(const CellComplex& t)
         refuse();
       }
     });
+}
+
+/// The facets around a site.
+/// @throw Error BadArgument for facets that are not one fan
+template <class Sides>
+void linkFacets(
+  const VertexStars<Sides>& stars, const CellComplex& t, std::uint32_t site, Star& star)
+{
+  stars.link(site, star);
+  if (!star.isFan())
+  {
+    throw badArgument(
+      "the triangulation must be one: facets form one ring around a site", t.pointIds[site]);
+  }
 }
 
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Query/FanMesh.h"
 
-#include "PowerDiagram/FacetRings.h"
 #include "PowerDiagram/TriangulationInput.h"
 #include "Support/Parallel.h"
 
@@ -18,12 +17,6 @@ namespace
 {
 
 using Geometry = LiftedGeometry<true>;
-
-/// Rings number half-edges by their index in the connectivity, three to a triangle.
-std::uint32_t halfEdgeOf(std::uint32_t index)
-{
-  return halfEdge(index / 3, static_cast<int>(index % 3));
-}
 
 class FanMeshMaker
 {
@@ -44,14 +37,7 @@ public:
   void make()
   {
     this->makeTriangles();
-    if (this->given.cellSize == 3)
-    {
-      this->link(this->given);
-    }
-    else
-    {
-      this->link(this->fans());
-    }
+    this->link();
     this->checkBorder();
     this->checkEdges();
   }
@@ -101,51 +87,31 @@ private:
     }
   }
 
-  /// The triangles as a complex.
-  Triangulation fans() const
+  /// Each edge is linked at its lower end. A vertex of the border knows the next one.
+  void link()
   {
-    Triangulation result;
-    result.dimension = 2;
-    result.cellSize = 3;
-    result.pointIds.allocate(this->given.pointIds.size());
-    std::copy(this->given.pointIds.begin(), this->given.pointIds.end(), result.pointIds.begin());
-    result.connectivity.allocate(3 * this->mesh.triangles.size());
-    for (std::size_t t = 0; t < this->mesh.triangles.size(); ++t)
-    {
-      std::copy_n(this->mesh.triangles[t].v, 3, result.connectivity.begin() + 3 * t);
-    }
-    return result;
-  }
-
-  /// From the ring of triangles around each vertex, the opposites of all half-edges that leave it.
-  void link(const Triangulation& triangles)
-  {
-    const FacetRings rings(triangles);
     const std::size_t count = this->given.pointIds.size();
+    const VertexStars<TriangleSides> stars(
+      TriangleSides(this->mesh.triangles.data(), this->mesh.triangles.size(), count));
+    const auto setTwins = [this](std::uint32_t h, std::uint32_t twin)
+    { setTwin(this->mesh.triangles.data(), h, twin); };
     this->mesh.lowestAt.allocate(count);
     eachCheckedChunk(count, SitesPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         this->monitor.poll();
         const Geometry local = this->geometry;
-        FacetRings::Ring ring;
-        for (std::size_t v = begin; v < end; ++v)
+        Star star;
+        for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v)
         {
-          rings.walk(static_cast<std::uint32_t>(v), ring);
-          const auto& leaving = ring.halfEdges;
-          this->mesh.lowestAt[v] = *std::min_element(leaving.begin(), leaving.end()) / 3;
-          for (std::size_t i = ring.closed ? 0 : 1; i < leaving.size(); ++i)
-          {
-            const std::uint32_t before = leaving[i > 0 ? i - 1 : leaving.size() - 1];
-            const std::uint32_t h = halfEdgeOf(leaving[i]);
-            this->mesh.triangles[triangleOf(h)].twin[cornerOf(h)] =
-              previousHalfEdge(halfEdgeOf(before));
-          }
+          linkFacets(stars, this->given, v, star);
+          this->mesh.lowestAt[v] = triangleOf(star.leaving.front());
+          stars.eachEdge(v, star, [&setTwins](const LinkedEdge& edge) { edge.link(setTwins); });
           this->next[v] = NoIndex;
-          if (!ring.closed)
+          if (!star.isClosed)
           {
-            const std::uint32_t last = rings.source(leaving.back());
-            this->next[v] = rings.destination(leaving.front());
+            const std::uint32_t last = stars.source(star.ring.back());
+            this->next[v] = stars.destination(star.ring.front());
             if (local.orient(
                   this->vertices[last], this->vertices[v], this->vertices[this->next[v]]) < 0)
             {

@@ -4,7 +4,6 @@
 
 #include "Points/Vertex.h"
 #include "PowerDiagram/DomainCorners.h"
-#include "PowerDiagram/FacetRings.h"
 #include "PowerDiagram/SiteNeighbours.h"
 #include "Support/Parallel.h"
 #include "Support/Threads.h"
@@ -186,14 +185,14 @@ void measureCells(const std::vector<double>& sites, const double* weights,
       eachChunk(ids.size(), CellsPerTask,
         [&](std::size_t begin, std::size_t end, std::size_t run)
         {
-          FacetRings::Ring ring;
+          Star star;
           std::vector<Index> neighbours;
           ClippedCell cell;
           for (std::size_t i = begin; i < end; ++i)
           {
             const auto id = static_cast<std::size_t>(ids[i]);
             const double* const site = sites.data() + 2 * id;
-            lists.find(static_cast<Index>(i), ring, neighbours);
+            lists.find(static_cast<Index>(i), star, neighbours);
             cell.begin(polygon, site);
             for (const Index j : neighbours)
             {
