@@ -5,10 +5,11 @@
 #ifndef flipflop_Topology_h
 #define flipflop_Topology_h
 
-#include "Mesh/Mesh.h"
+#include "Mesh/VertexStars.h"
 #include <flipflop/Error.h>
 
 #include <cstdint>
+#include <utility>
 
 namespace flipflop
 {
@@ -25,7 +26,26 @@ struct TopologyFault
 /// Set the twins of triangles, each with three different corners below @p vertexCount, and check,
 /// in this order: that no edge has three triangles, that none has one, that its two run it in
 /// opposite directions, and that the triangles of each vertex form one fan.
-TopologyFault linkTriangles(Triangle* triangles, std::uint32_t count, std::uint32_t vertexCount);
+inline TopologyFault linkTriangles(
+  Triangle* triangles, std::uint32_t count, std::uint32_t vertexCount)
+{
+  LinkFaults faults;
+  linkTwins(
+    VertexStars<TriangleSides>(TriangleSides(triangles, count, vertexCount)), [] {},
+    [triangles](std::uint32_t h, std::uint32_t twin) { setTwin(triangles, h, twin); }, faults);
+  const std::pair<ErrorCode, const FaultyCells*> inOrder[] = {
+    { ErrorCode::NotManifold, &faults.crowded }, { ErrorCode::NotClosed, &faults.open },
+    { ErrorCode::NotOriented, &faults.turned }, { ErrorCode::NotManifold, &faults.parted }
+  };
+  for (const auto& [code, found] : inOrder)
+  {
+    if (found->count() > 0)
+    {
+      return { true, code, found->first(), found->count() };
+    }
+  }
+  return TopologyFault();
+}
 
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Terrain/TerrainTriangulation.h"
 
+#include "Surface/Topology.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -29,40 +31,20 @@ TerrainTriangulation::TerrainTriangulation(const Geometry& signs, const Vertex* 
   , triangles(static_cast<std::size_t>(start.cellCount()))
   , sideFrom(pointCount)
 {
-  for (std::size_t t = 0; t < this->triangles.size(); ++t)
+  for (std::size_t i = 0; i < start.connectivity.size(); ++i)
   {
-    const std::int64_t* const v = start.connectivity.data() + 3 * t;
-    this->triangles[t] = { { vertexOf[static_cast<std::size_t>(v[0])],
-                             vertexOf[static_cast<std::size_t>(v[1])],
-                             vertexOf[static_cast<std::size_t>(v[2])] },
-      0, { NoIndex, NoIndex, NoIndex }, 0 };
+    this->triangles[i / 3].v[i % 3] = static_cast<std::uint32_t>(start.connectivity[i]);
   }
-  this->linkStart();
+  linkTriangles(this->triangles.data(), static_cast<std::uint32_t>(this->triangles.size()),
+    static_cast<std::uint32_t>(start.pointIds.size()));
+  for (Triangle& triangle : this->triangles)
+  {
+    for (std::uint32_t& v : triangle.v)
+    {
+      v = vertexOf[v];
+    }
+  }
   this->fixEdges(start, vertexOf);
-}
-
-/// Each edge of two triangles is there twice.
-void TerrainTriangulation::linkStart()
-{
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> edges;
-  edges.reserve(3 * this->triangles.size());
-  const Mesh surface = this->mesh();
-  for (std::uint32_t t = 0; t < this->triangles.size(); ++t)
-  {
-    for (int e = 0; e < 3; ++e)
-    {
-      const std::uint32_t* const v = this->triangles[t].v;
-      edges.emplace_back(edgeKey(v[e], v[nextCorner(e)]), halfEdge(t, e));
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 0; i + 1 < edges.size(); ++i)
-  {
-    if (edges[i].first == edges[i + 1].first)
-    {
-      surface.link(edges[i].second, edges[i + 1].second);
-    }
-  }
 }
 
 void TerrainTriangulation::fixEdges(

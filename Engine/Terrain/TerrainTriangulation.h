@@ -116,7 +116,6 @@ private:
     result.triangles = this->triangles.data();
     return result;
   }
-  void linkStart();
   void fixEdges(const ConstrainedTriangulation& start, const std::vector<std::uint32_t>& vertexOf);
   Split openCavity(std::uint32_t v, std::uint32_t t);
   void addToCavity(std::uint32_t t);
