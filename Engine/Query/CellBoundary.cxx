@@ -6,10 +6,9 @@
 /// there it is cut in two. Cuts do not cross, so it does not matter where the walk begins.
 #include <flipflop/CellBoundary.h>
 
-#include "Points/Vertex.h"
+#include "Mesh/VertexStars.h"
 #include "Run/QueryRun.h"
 #include "Support/EngineCall.h"
-#include "Surface/Sides.h"
 #include "Validate/ValidateStructure.h"
 
 #include <algorithm>
@@ -27,26 +26,20 @@ class BoundaryWalk
 {
 public:
   BoundaryWalk(const CellComplex& cells, Monitor& monitor)
-    : complex(cells)
+    : stars(CellSides(cells))
     , poll(monitor)
     , twin(cells.connectivity.size())
     , pathIndex(cells.pointIds.size(), NoIndex)
   {
-    Buffer<CellSide> sides = sidesOf(cells, this->cellOf);
-    eachEdge(sides,
-      [&](const CellSide* side, const CellSide* end)
-      {
-        this->poll.step();
-        const CellSide* const other = end - 1;
-        if (other - side > 1 ||
-          (other != side && this->corner(side->index) == this->corner(other->index)))
-        {
-          throw badArgument("cells must share each edge by two at most, once in either direction",
-            this->cellOf[side->index]);
-        }
-        this->twin[side->index] = other == side ? NoIndex : other->index;
-        this->twin[other->index] = other == side ? NoIndex : side->index;
-      });
+    LinkFaults faults;
+    linkTwins(
+      this->stars, [&] { monitor.poll(); },
+      [this](std::uint32_t side, std::uint32_t other) { this->twin[side] = other; }, faults);
+    if (faults.crowded.count() + faults.turned.count() > 0)
+    {
+      throw badArgument("cells must share each edge by two at most, once in either direction",
+        std::min(faults.crowded.first(), faults.turned.first()));
+    }
   }
 
   void write(CellBoundary& boundary)
@@ -86,20 +79,6 @@ private:
     std::ptrdiff_t begin, end;
   };
 
-  std::uint32_t corner(std::uint32_t k) const
-  {
-    return static_cast<std::uint32_t>(this->complex.connectivity[k]);
-  }
-
-  /// The side of the same cell that leaves the corner where side @p k ends.
-  std::uint32_t next(std::uint32_t k) const
-  {
-    const std::int64_t cell = this->cellOf[k];
-    const std::int64_t after = std::int64_t(k) + 1;
-    return static_cast<std::uint32_t>(
-      after < this->complex.cellBegin(cell + 1) ? after : this->complex.cellBegin(cell));
-  }
-
   /// Along the border from side @p first, whose sides are not walked again.
   void walk(std::uint32_t first)
   {
@@ -107,7 +86,7 @@ private:
     do
     {
       this->poll.step();
-      const std::uint32_t v = this->corner(k);
+      const std::uint32_t v = this->stars.of().origin(k);
       if (this->pathIndex[v] != NoIndex)
       {
         this->cut(this->pathIndex[v]);
@@ -115,7 +94,8 @@ private:
       this->pathIndex[v] = static_cast<std::uint32_t>(this->path.size());
       this->path.push_back(v);
       this->twin[k] = Walked;
-      for (k = this->next(k); this->twin[k] < Walked; k = this->next(this->twin[k]))
+      for (k = this->stars.of().next(k); this->twin[k] < Walked;
+           k = this->stars.of().next(this->twin[k]))
       {
         this->poll.step();
       }
@@ -141,9 +121,8 @@ private:
   /// The twin of a side at the border that is done with.
   static constexpr std::uint32_t Walked = NoIndex - 1;
 
-  const CellComplex& complex;
+  const VertexStars<CellSides> stars;
   StepPoll poll;
-  Buffer<std::uint32_t> cellOf;
   std::vector<std::uint32_t> twin;      ///< of each side; NoIndex: it is at the border
   std::vector<std::uint32_t> pathIndex; ///< of each corner in the path; NoIndex: it is not there
   std::vector<std::uint32_t> path;

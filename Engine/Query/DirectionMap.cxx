@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Query/DirectionMap.h"
 
+#include "Mesh/VertexStars.h"
 #include "Predicates/ErrorBounds.h"
 #include "Support/Parallel.h"
 
@@ -53,50 +54,35 @@ DirectionMap::DirectionMap(
 void DirectionMap::link(const Polyhedron& solid, const std::vector<std::uint32_t>& ring)
 {
   const std::uint32_t count = solid.vertexCount();
-  // From each corner to the next of its triangle; around a polygon both ways.
-  const auto eachLink = [&](auto&& use)
-  {
-    for (const Triangle& triangle : solid.triangles)
-    {
-      for (int e = 0; e < 3; ++e)
-      {
-        use(triangle.v[e], triangle.v[nextCorner(e)]);
-      }
-    }
-    for (std::size_t i = 0; i < ring.size(); ++i)
-    {
-      const std::uint32_t next = ring[(i + 1) % ring.size()];
-      use(ring[i], next);
-      use(next, ring[i]);
-    }
-    if (solid.triangles.empty() && count == 2)
-    {
-      use(0, 1);
-      use(1, 0);
-    }
-  };
   this->begin.allocate(std::size_t(count) + 1);
-  std::fill(this->begin.begin(), this->begin.end(), 0u);
-  std::uint32_t total = 0;
-  eachLink(
-    [&](std::uint32_t from, std::uint32_t)
+  if (!solid.triangles.empty())
+  {
+    const VertexStars<TriangleSides> stars(
+      TriangleSides(solid.triangles.data(), solid.triangles.size(), count));
+    this->neighbours.allocate(3 * solid.triangles.size());
+    for (std::uint32_t v = 0; v <= count; ++v)
     {
-      ++this->begin[from];
-      ++total;
-    });
-  std::uint32_t at = 0;
-  for (std::uint32_t& first : this->begin)
-  {
-    at += std::exchange(first, at);
+      this->begin[v] = stars.begin(v);
+    }
+    for (std::uint32_t i = 0; i < this->neighbours.size(); ++i)
+    {
+      this->neighbours[i] = stars.destination(stars.side(i));
+    }
+    return;
   }
-  this->neighbours.allocate(total);
-  eachLink(
-    [&](std::uint32_t from, std::uint32_t to) { this->neighbours[this->begin[from]++] = to; });
-  for (std::uint32_t i = count; i > 0; --i)
+  // Around a polygon both ways. A segment is one of two corners.
+  const std::vector<std::uint32_t> around = count == 2 ? std::vector<std::uint32_t>{ 0, 1 } : ring;
+  this->neighbours.allocate(2 * around.size());
+  for (std::uint32_t v = 0; v <= count; ++v)
   {
-    this->begin[i] = this->begin[i - 1];
+    this->begin[v] = around.empty() ? 0 : 2 * v;
   }
-  this->begin[0] = 0;
+  for (std::size_t i = 0; i < around.size(); ++i)
+  {
+    const std::uint32_t next = around[i + 1 < around.size() ? i + 1 : 0];
+    this->neighbours[2 * std::size_t(around[i])] = next;
+    this->neighbours[2 * std::size_t(next) + 1] = around[i];
+  }
 }
 
 // A corner is farthest when none of its neighbours is farther. The corners that are as far make a

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <flipflop/Neighbors.h>
 
-#include "Points/Vertex.h"
+#include "Mesh/VertexStars.h"
 #include "Run/QueryRun.h"
 #include "Support/EngineCall.h"
-#include "Surface/Sides.h"
 #include "Validate/ValidateStructure.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace flipflop
@@ -34,28 +32,17 @@ Buffer<std::int64_t> cellNeighbors(const CellComplex& complex, const Options& op
           }
           monitor.stage(0.1, 0.3, 1);
           neighbors.allocate(entries);
-          Buffer<std::uint32_t> cellOf;
-          Buffer<CellSide> sides = sidesOf(complex, cellOf);
+          const VertexStars<CellSides> stars{ CellSides(complex) };
           monitor.stage(0.3, 1.0, 1);
-          StepPoll poll(monitor);
-          std::uint32_t crowded = NoIndex;
-          eachEdge(sides,
-            [&](const CellSide* side, const CellSide* end)
-            {
-              poll.step();
-              if (end - side > 2)
-              {
-                crowded = std::min(crowded, cellOf[side->index]);
-                return;
-              }
-              const CellSide* const other = end - 1;
-              const bool alone = other == side;
-              neighbors[side->index] = alone ? -1 : std::int64_t(cellOf[other->index]);
-              neighbors[other->index] = alone ? -1 : std::int64_t(cellOf[side->index]);
-            });
-          if (crowded != NoIndex)
+          LinkFaults faults;
+          linkTwins(
+            stars, [&] { monitor.poll(); },
+            [&](std::uint32_t side, std::uint32_t twin)
+            { neighbors[side] = twin == NoIndex ? -1 : std::int64_t(stars.of().cell(twin)); },
+            faults);
+          if (faults.crowded.count() > 0)
           {
-            throw badArgument("cells must share each edge by two at most", std::int64_t(crowded));
+            throw badArgument("cells must share each edge by two at most", faults.crowded.first());
           }
         });
       return neighbors;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surface/CellMesh.h"
 
-#include "Surface/Sides.h"
-
 #include <algorithm>
 
 namespace flipflop
@@ -14,24 +12,24 @@ namespace
 
 using Fan = std::array<std::uint32_t, 3>;
 
-/// Add a triangle to vertex @p apex, turned around, at every edge that has no opposite.
-void closeBorder(std::vector<Fan>& fans, std::uint32_t apex)
+/// Add a triangle to vertex @p apex, turned around, at every side without a twin.
+void closeBorder(const CellComplex& complex, std::vector<Fan>& fans, std::uint32_t apex)
 {
-  Buffer<CellSide> sides(3 * fans.size());
-  for (std::size_t i = 0; i < sides.size(); ++i)
+  Buffer<std::uint8_t> isOpen(complex.connectivity.size());
+  std::fill(isOpen.begin(), isOpen.end(), 0);
+  const VertexStars<CellSides> stars{ CellSides(complex) };
+  LinkFaults faults;
+  linkTwins(
+    stars, [] {},
+    [&](std::uint32_t side, std::uint32_t twin) { isOpen[side] = twin == NoIndex ? 1 : 0; },
+    faults);
+  for (std::uint32_t side = 0; side < isOpen.size(); ++side)
   {
-    const Fan& fan = fans[i / 3];
-    sides[i] = CellSide(fan[i % 3], fan[(i + 1) % 3], static_cast<std::uint32_t>(i));
-  }
-  eachEdge(sides,
-    [&](const CellSide* side, const CellSide* end)
+    if (isOpen[side])
     {
-      if (end - side == 1)
-      {
-        const Fan fan = fans[side->index / 3];
-        fans.push_back({ fan[(side->index + 1) % 3], fan[side->index % 3], apex });
-      }
-    });
+      fans.push_back({ stars.destination(side), stars.of().origin(side), apex });
+    }
+  }
 }
 
 }
@@ -54,7 +52,7 @@ CellMesh meshOfCells(const CellComplex& complex, const std::vector<Vertex>& corn
   constexpr std::size_t Most = NoIndex / 4; // half-edges have 32 bits, and no result of ours more
   if (open && fans.size() < Most)
   {
-    closeBorder(fans, static_cast<std::uint32_t>(corners.size()));
+    closeBorder(complex, fans, static_cast<std::uint32_t>(corners.size()));
     mesh.cellOf.resize(fans.size(), -1);
   }
   if (fans.empty() || fans.size() >= Most)
