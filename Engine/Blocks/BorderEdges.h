@@ -5,13 +5,12 @@
 #ifndef flipflop_BorderEdges_h
 #define flipflop_BorderEdges_h
 
-#include "Surface/Sides.h"
-#include <flipflop/Buffer.h>
 #include <flipflop/CellComplex.h>
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace flipflop
@@ -46,28 +45,23 @@ void eachBorderEdge(const CellComplex& complex, const Use& use)
       balance[from] += static_cast<std::int64_t>(to);
       balance[to] -= static_cast<std::int64_t>(from);
     });
-  std::vector<std::array<std::uint32_t, 2>> openSides; // sides, each in its direction
+  std::vector<std::pair<std::size_t, std::size_t>> found;
   eachSide(
     [&](std::size_t from, std::size_t to)
     {
       if (balance[from] != 0 && balance[to] != 0)
       {
-        openSides.push_back({ static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to) });
+        found.emplace_back(from, to);
       }
     });
-  Buffer<CellSide> sides(openSides.size());
-  for (std::size_t i = 0; i < openSides.size(); ++i)
+  std::sort(found.begin(), found.end());
+  for (const auto& [from, to] : found)
   {
-    sides[i] = CellSide(openSides[i][0], openSides[i][1], static_cast<std::uint32_t>(i));
-  }
-  eachEdge(sides,
-    [&](const CellSide* begin, const CellSide* end)
+    if (!std::binary_search(found.begin(), found.end(), std::make_pair(to, from)))
     {
-      if (end - begin == 1)
-      {
-        use(openSides[begin->index][0], openSides[begin->index][1]);
-      }
-    });
+      use(static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to));
+    }
+  }
 }
 
 }
