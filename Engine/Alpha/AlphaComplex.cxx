@@ -6,11 +6,11 @@
 #include <flipflop/AlphaComplex.h>
 
 #include "Alpha/CircleSquare.h"
+#include "Mesh/VertexStars.h"
 #include "PowerDiagram/TriangulationInput.h"
 #include "Run/QueryRun.h"
 #include "Support/BufferCopy.h"
 #include "Support/EngineCall.h"
-#include "Surface/Sides.h"
 
 #include <algorithm>
 #include <cmath>
@@ -124,11 +124,11 @@ private:
     }
   }
 
-  /// An edge that no cell of the complex has: its sides, and what is found of it.
+  /// An edge that no cell of the complex has: its ends and sides, and what is found of it.
   struct Edge
   {
-    const CellSide* begin;
-    const CellSide* end;
+    std::uint32_t corner[2];
+    std::uint32_t sides[2]; ///< the second: NoIndex at the border
     bool isSingular = false;
     bool attaches[2] = { false,
       false };        ///< is the other end in the circle of the lower, the higher?
@@ -137,22 +137,25 @@ private:
 
   void findEdges(double alpha, AlphaComplex& complex)
   {
-    Buffer<std::uint32_t> cellOf;
-    Buffer<CellSide> sides = sidesOf(this->triangulation, cellOf);
+    const VertexStars<CellSides> stars{ CellSides(this->triangulation) };
     std::vector<Edge> edges;
     StepPoll poll(this->monitor);
-    eachEdge(sides,
-      [&](const CellSide* begin, const CellSide* end)
+    stars.eachEdge(
+      [&](const LinkedEdge& edge)
       {
         poll.step();
-        if (std::any_of(begin, end,
-              [&](const CellSide& side) { return complex.cells[cellOf[side.index]] != 0; }))
+        if (edge.count > 2)
         {
-          this->isOut[begin->low] = this->isOut[begin->high] = 1;
+          refuse(this->triangulation.pointIds[edge.low]);
+        }
+        if (std::any_of(edge.sides, edge.sides + edge.count,
+              [&](std::uint32_t side) { return complex.cells[stars.of().cell(side)] != 0; }))
+        {
+          this->isOut[edge.low] = this->isOut[edge.high] = 1;
         }
         else
         {
-          edges.push_back({ begin, end });
+          edges.push_back({ { edge.low, edge.high }, { edge.sides[0], edge.other() } });
         }
       });
     this->monitor.stage(0.7, 1.0, static_cast<std::int64_t>(edges.size()));
@@ -160,24 +163,23 @@ private:
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         std::for_each(edges.begin() + begin, edges.begin() + end,
-          [&](Edge& edge) { this->classify(edge, alpha, cellOf); });
+          [&](Edge& edge) { this->classify(edge, alpha, stars); });
         this->monitor.advance(static_cast<std::int64_t>(end - begin));
       });
     std::vector<std::int64_t> ends;
     std::vector<double> alphas;
     for (const Edge& edge : edges)
     {
-      const std::uint32_t corner[2] = { edge.begin->low, edge.begin->high };
       for (int i = 0; i < 2; ++i)
       {
         if (edge.isSingular || edge.attaches[i])
         {
-          this->isOut[corner[i]] = 1;
+          this->isOut[edge.corner[i]] = 1;
         }
       }
       if (edge.isSingular)
       {
-        ends.insert(ends.end(), { std::int64_t(corner[0]), std::int64_t(corner[1]) });
+        ends.insert(ends.end(), { std::int64_t(edge.corner[0]), std::int64_t(edge.corner[1]) });
         alphas.push_back(edge.alpha);
       }
     }
@@ -185,34 +187,28 @@ private:
     copyTo(alphas, complex.edgeAlphas);
   }
 
-  void classify(Edge& edge, double alpha, const Buffer<std::uint32_t>& cellOf) const
+  void classify(Edge& edge, double alpha, const VertexStars<CellSides>& stars) const
   {
-    const PowerSite& a = this->sites[edge.begin->low];
-    const PowerSite& b = this->sites[edge.begin->high];
+    const PowerSite& a = this->sites[edge.corner[0]];
+    const PowerSite& b = this->sites[edge.corner[1]];
     if (this->isWeighted)
     {
       edge.attaches[0] = isInCircle(a, b);
       edge.attaches[1] = isInCircle(b, a);
     }
     const CircleSquare circle(a, b);
-    edge.isSingular =
-      std::none_of(edge.begin, edge.end,
-        [&](const CellSide& side)
-        { return isInCircle(a, b, this->corner(this->apexOf(side.index, cellOf[side.index]))); }) &&
+    edge.isSingular = std::none_of(edge.sides, edge.sides + 2,
+                        [&](std::uint32_t side)
+                        {
+                          // The corner after the side: all others of the cell are on the same arc.
+                          return side != NoIndex &&
+                            isInCircle(a, b, this->sites[stars.destination(stars.of().next(side))]);
+                        }) &&
       !circle.exceeds(alpha);
     if (edge.isSingular)
     {
       edge.alpha = circle.leastAlpha();
     }
-  }
-
-  /// The index of the corner after the side that is at index @p k. All others of the cell are on
-  /// the same arc.
-  std::int64_t apexOf(std::uint32_t k, std::uint32_t cell) const
-  {
-    const std::int64_t begin = this->triangulation.cellBegin(cell);
-    const std::int64_t end = this->triangulation.cellBegin(std::int64_t(cell) + 1);
-    return k + 2 < end ? k + 2 : begin + (k + 2 - end);
   }
 
   const CellComplex& triangulation;

@@ -6,14 +6,15 @@
 /// they are inside. No coordinate is examined.
 #include <flipflop/ConstrainedTriangulation.h>
 
+#include "Mesh/VertexStars.h"
 #include "PowerDiagram/TriangulationInput.h"
 #include "Run/QueryRun.h"
 #include "Support/EngineCall.h"
-#include "Surface/Sides.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -122,13 +123,13 @@ private:
     const std::uint32_t outside = this->cells;
     Regions regions(this->cells + 1);
     this->eachEdge(
-      [&](const CellSide* begin, const CellSide* end, std::uint32_t fixed)
+      [&](const LinkedEdge& edge, std::uint32_t fixed)
       {
-        const std::uint32_t first = this->cellOf[begin->index];
-        bool fits = end - begin > 1 || regions.join(first, outside, this->isOdd(fixed));
-        for (const CellSide* side = begin + 1; fits && side < end; ++side)
+        const std::uint32_t first = this->cellOf(edge.sides[0]);
+        bool fits = edge.count > 1 || regions.join(first, outside, this->isOdd(fixed));
+        for (std::size_t i = 1; fits && i < edge.count; ++i)
         {
-          fits = regions.join(first, this->cellOf[side->index], this->isOdd(fixed));
+          fits = regions.join(first, this->cellOf(edge.sides[i]), this->isOdd(fixed));
         }
         if (!fits)
         {
@@ -150,21 +151,21 @@ private:
     Regions regions(this->cells);
     std::vector<Vote> votes; // in the order of the edges
     this->eachEdge(
-      [&](const CellSide* begin, const CellSide* end, std::uint32_t fixed)
+      [&](const LinkedEdge& edge, std::uint32_t fixed)
       {
         const std::int64_t balance = this->balanceOf(fixed);
-        for (const CellSide* side = begin; side != end; ++side)
+        for (std::size_t i = 0; i < edge.count; ++i)
         {
-          const std::uint32_t cell = this->cellOf[side->index];
+          const std::uint32_t cell = this->cellOf(edge.sides[i]);
           if (balance != 0)
           {
             // A cell is on the left of its own sides.
-            const bool isAlong = this->corner(side->index) == side->low;
+            const bool isAlong = this->stars->of().origin(edge.sides[i]) == edge.low;
             votes.push_back({ cell, fixed, isAlong == (balance > 0) });
           }
           else
           {
-            regions.join(this->cellOf[begin->index], cell, false);
+            regions.join(this->cellOf(edge.sides[0]), cell, false);
           }
         }
       });
@@ -197,34 +198,31 @@ private:
       sideOf(isOneRight ? one : other));
   }
 
-  /// use (begin, end of the cells' sides there, fixed edge or NoIndex) for each edge. Edges and
-  /// fixed edges are both in lexicographic order, so they are met side by side.
+  /// use (LinkedEdge, fixed edge or NoIndex) for each edge. Edges and fixed edges are both in
+  /// lexicographic order, so they are met side by side.
   template <class Use>
   void eachEdge(const Use& use)
   {
-    const ConstrainedTriangulation& given = this->triangulation;
-    Buffer<CellSide> sides = sidesOf(given, this->cellOf);
+    const Buffer<std::int64_t>& ends = this->triangulation.fixedEdges;
+    const auto count = static_cast<std::uint32_t>(this->triangulation.constraintOf.size());
     StepPoll poll(this->monitor);
     std::uint32_t fixed = 0;
-    const auto isBefore = [&given](std::uint32_t edge, const CellSide& side)
+    if (!this->stars)
     {
-      const auto low = static_cast<std::uint32_t>(given.fixedEdges[2 * std::size_t(edge)]);
-      const auto high = static_cast<std::uint32_t>(given.fixedEdges[2 * std::size_t(edge) + 1]);
-      return std::make_pair(low, high) < std::make_pair(side.low, side.high);
-    };
-    const auto count = static_cast<std::uint32_t>(given.constraintOf.size());
-    flipflop::eachEdge(sides,
-      [&](const CellSide* begin, const CellSide* end)
+      this->stars.emplace(CellSides(this->triangulation));
+    }
+    this->stars->eachEdge(
+      [&](const LinkedEdge& edge)
       {
         poll.step();
-        while (fixed < count && isBefore(fixed, *begin))
+        const std::pair<std::int64_t, std::int64_t> here(edge.low, edge.high);
+        const auto at = [&ends](std::size_t i)
+        { return std::make_pair(ends[2 * i], ends[2 * i + 1]); };
+        while (fixed < count && at(fixed) < here)
         {
           ++fixed;
         }
-        const bool isFixed = fixed < count &&
-          given.fixedEdges[2 * std::size_t(fixed)] == begin->low &&
-          given.fixedEdges[2 * std::size_t(fixed) + 1] == begin->high;
-        use(begin, end, isFixed ? fixed : NoIndex);
+        use(edge, fixed < count && at(fixed) == here ? fixed : NoIndex);
       });
   }
 
@@ -235,15 +233,12 @@ private:
 
   bool isOdd(std::uint32_t fixed) const { return this->balanceOf(fixed) % 2 != 0; }
 
-  std::uint32_t corner(std::size_t i) const
-  {
-    return static_cast<std::uint32_t>(this->triangulation.connectivity[i]);
-  }
+  std::uint32_t cellOf(std::uint32_t side) const { return this->stars->of().cell(side); }
 
   const ConstrainedTriangulation& triangulation;
   Monitor& monitor;
   const std::uint32_t cells;
-  Buffer<std::uint32_t> cellOf; ///< by index of the side
+  std::optional<VertexStars<CellSides>> stars; ///< once edges are asked for
 };
 
 }

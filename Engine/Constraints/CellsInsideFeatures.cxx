@@ -8,11 +8,11 @@
 
 #include "Constraints/FixedPaths.h"
 #include "Constraints/OddItems.h"
+#include "Mesh/VertexStars.h"
 #include "Points/ConstraintInput.h"
 #include "PowerDiagram/TriangulationInput.h"
 #include "Run/QueryRun.h"
 #include "Support/EngineCall.h"
-#include "Surface/Sides.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -133,8 +133,7 @@ private:
   /// Edges of cells and borders are both in lexicographic order: ids ascend as indices do.
   void findWays()
   {
-    Buffer<std::uint32_t> cellOf;
-    Buffer<CellSide> sides = sidesOf(this->triangulation, cellOf);
+    const VertexStars<CellSides> stars{ CellSides(this->triangulation) };
     struct Crossing
     {
       std::size_t cells[2];
@@ -143,11 +142,11 @@ private:
     std::vector<Crossing> crossings;
     this->firstWay.assign(this->outside + 2, 0);
     std::size_t border = 0;
-    eachEdge(sides,
-      [&](const CellSide* begin, const CellSide* end)
+    stars.eachEdge(
+      [&](const LinkedEdge& linked)
       {
         const Border edge(
-          this->triangulation.pointIds[begin->low], this->triangulation.pointIds[begin->high], 0);
+          this->triangulation.pointIds[linked.low], this->triangulation.pointIds[linked.high], 0);
         while (border < this->borders.size() && this->borders[border] < edge)
         {
           ++border;
@@ -160,7 +159,8 @@ private:
           ++last;
         }
         crossings.push_back(
-          { { cellOf[begin->index], end - begin > 1 ? cellOf[begin[1].index] : this->outside },
+          { { stars.of().cell(linked.sides[0]),
+              linked.count > 1 ? stars.of().cell(linked.sides[1]) : this->outside },
             border, last });
         for (const std::size_t cell : crossings.back().cells)
         {
