@@ -55,8 +55,9 @@ struct AlphaComplex
 /// @param options       only the threads and the progress function are used
 /// @return              the complex
 /// @throw Error         BadArgument (alpha is NaN, a dimension of 3, an index or id out of range, a
-///                      corner that is not finite, a cell that is not counter-clockwise),
-///                      WeightCount, TooManyPoints, OutOfMemory, Aborted
+///                      corner that is not finite, a cell that is not counter-clockwise; with
+///                      @p singular, an edge of more than two cells), WeightCount, TooManyPoints,
+///                      OutOfMemory, Aborted
 AlphaComplex alphaComplex(const PointView& points, const WeightView& weights,
   const CellComplex& triangulation, double alpha, bool singular = false,
   const Options& options = Options());
