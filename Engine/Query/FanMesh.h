@@ -61,60 +61,44 @@ struct FanMesh
     return halfEdge(t, corner[0] == v ? 0 : (corner[1] == v ? 1 : 2));
   }
 
-  /// use(h) for the half-edges h that leave vertex @p v, of its triangles, until it returns false.
-  template <class Use>
-  void eachLeaving(std::uint32_t v, Use&& use) const
+  /// Around vertex @p v, until one of them returns false: left(h) for the half-edges that leave it,
+  /// counter-clockwise from leaving(v) on; where the border ends that, right(h) clockwise from
+  /// leaving(v) on.
+  template <class Left, class Right>
+  void walkStar(std::uint32_t v, const Left& left, const Right& right) const
   {
-    // Counter-clockwise around v, and from the border clockwise from the start.
     const std::uint32_t first = this->leaving(v);
     std::uint32_t h = first;
     do
     {
-      if (!use(h))
+      if (!left(h))
       {
         return;
       }
       h = this->twin(previousHalfEdge(h));
     } while (h != first && h != NoIndex);
-    for (std::uint32_t out = h == NoIndex ? this->twin(first) : NoIndex; out != NoIndex;
-         out = this->twin(nextHalfEdge(out)))
+    for (std::uint32_t out = h == NoIndex ? first : NoIndex; out != NoIndex && right(out);)
     {
-      if (!use(nextHalfEdge(out)))
-      {
-        return;
-      }
+      const std::uint32_t across = this->twin(out);
+      out = across == NoIndex ? NoIndex : nextHalfEdge(across);
     }
+  }
+
+  /// use(h) for the half-edges h that leave vertex @p v, of its triangles, until it returns false.
+  template <class Use>
+  void eachLeaving(std::uint32_t v, Use&& use) const
+  {
+    const std::uint32_t first = this->leaving(v);
+    this->walkStar(v, use, [&](std::uint32_t h) { return h == first || use(h); });
   }
 
   /// use(u) for the neighbours u of vertex @p v, until it returns false.
   template <class Use>
   void eachNeighbour(std::uint32_t v, Use&& use) const
   {
-    // Counter-clockwise around v, and from the border clockwise from the start.
-    const std::uint32_t first = this->leaving(v);
-    std::uint32_t h = first;
-    do
-    {
-      const std::uint32_t incoming = previousHalfEdge(h);
-      if (!use(this->origin(incoming)))
-      {
-        return;
-      }
-      h = this->twin(incoming);
-    } while (h != first && h != NoIndex);
-    for (std::uint32_t out = first; h == NoIndex;)
-    {
-      if (!use(this->origin(nextHalfEdge(out))))
-      {
-        return;
-      }
-      const std::uint32_t across = this->twin(out);
-      if (across == NoIndex)
-      {
-        return;
-      }
-      out = nextHalfEdge(across);
-    }
+    this->walkStar(
+      v, [&](std::uint32_t h) { return use(this->origin(previousHalfEdge(h))); },
+      [&](std::uint32_t h) { return use(this->origin(nextHalfEdge(h))); });
   }
 
   Buffer<Triangle> triangles;         ///< twin: NoIndex at the border
