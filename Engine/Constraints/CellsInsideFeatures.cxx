@@ -18,7 +18,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -38,52 +37,82 @@ public:
     , source(points, WeightView())
     , constraints(toUse)
     , monitor(monitorToUse)
-    , outside(static_cast<std::size_t>(given.cellCount()))
+    , stars(CellSides(given))
+    , twin(given.connectivity.size())
   {
+    LinkFaults faults;
+    linkTwins(
+      this->stars, [this] { this->monitor.poll(); },
+      [this](std::uint32_t side, std::uint32_t other) { this->twin[side] = other; }, faults);
+    if (faults.crowded.count() > 0)
+    {
+      throw badTriangulation();
+    }
     this->findBorders(features);
-    this->findWays();
   }
 
   void mark(std::uint8_t* inside)
   {
-    struct Step
-    {
-      std::size_t cell, next; ///< way
-      const Way* by;
-    };
     std::vector<char> isIn(this->featureCount, 0);
     std::int64_t depth = 0;
-    const auto cross = [&](const Way* way)
+    const auto cross = [&](std::uint32_t side)
     {
-      for (std::size_t i = way ? way->begin : 0; i < (way ? way->end : 0); ++i)
+      const std::pair<std::int64_t, std::int64_t> ends = std::minmax(
+        this->idAt(this->stars.of().origin(side)), this->idAt(this->stars.destination(side)));
+      for (auto at = std::lower_bound(
+             this->borders.begin(), this->borders.end(), Border(ends.first, ends.second, 0));
+           at != this->borders.end() && std::get<0>(*at) == ends.first &&
+           std::get<1>(*at) == ends.second;
+           ++at)
       {
-        char& is = isIn[std::get<2>(this->borders[i])];
+        char& is = isIn[std::get<2>(*at)];
         is = !is;
         depth += is ? 1 : -1;
       }
     };
-    std::vector<char> isMet(this->outside + 1, 0);
-    isMet[this->outside] = 1;
-    std::fill_n(inside, this->outside, std::uint8_t(0));
-    StepPoll poll(this->monitor);
-    std::vector<Step> steps{ { this->outside, this->firstWay[this->outside], nullptr } };
-    while (!steps.empty())
+    struct Step
     {
-      poll.step();
-      Step& step = steps.back();
-      if (step.next == this->firstWay[step.cell + 1])
+      std::int64_t next, end; ///< sides of a cell
+      std::uint32_t by;       ///< the one by which it was entered
+    };
+    std::vector<Step> steps;
+    const auto cells = static_cast<std::size_t>(this->triangulation.cellCount());
+    std::vector<char> isMet(cells, 0);
+    std::fill_n(inside, cells, std::uint8_t(0));
+    const auto enter = [&](std::uint32_t side)
+    {
+      const std::uint32_t cell = this->stars.of().cell(side);
+      if (!isMet[cell])
       {
-        cross(step.by); // back
-        steps.pop_back();
-        continue;
+        isMet[cell] = 1;
+        cross(side);
+        inside[cell] = depth > 0 ? 1 : 0;
+        steps.push_back({ this->triangulation.cellBegin(cell),
+          this->triangulation.cellBegin(std::int64_t(cell) + 1), side });
       }
-      const Way* const way = &this->ways[step.next++];
-      if (!isMet[way->to])
+    };
+    StepPoll poll(this->monitor);
+    for (std::uint32_t first = 0; first < this->twin.size(); ++first)
+    {
+      if (this->twin[first] == NoIndex)
       {
-        isMet[way->to] = 1;
-        cross(way);
-        inside[way->to] = depth > 0 ? 1 : 0;
-        steps.push_back({ way->to, this->firstWay[way->to], way });
+        enter(first);
+      }
+      while (!steps.empty())
+      {
+        poll.step();
+        Step& step = steps.back();
+        if (step.next == step.end)
+        {
+          cross(step.by); // back
+          steps.pop_back();
+          continue;
+        }
+        const std::uint32_t other = this->twin[static_cast<std::size_t>(step.next++)];
+        if (other != NoIndex)
+        {
+          enter(other);
+        }
       }
     }
   }
@@ -92,12 +121,7 @@ private:
   /// The ends of an edge, the lower one first, and a feature that ends there.
   using Border = std::tuple<std::int64_t, std::int64_t, std::uint32_t>;
 
-  /// From a cell to another, or outside, across some borders.
-  struct Way
-  {
-    std::size_t to;
-    std::size_t begin, end;
-  };
+  std::int64_t idAt(std::uint32_t v) const { return this->triangulation.pointIds[v]; }
 
   void findBorders(const std::int64_t* features)
   {
@@ -130,65 +154,14 @@ private:
     }
   }
 
-  /// Edges of cells and borders are both in lexicographic order: ids ascend as indices do.
-  void findWays()
-  {
-    const VertexStars<CellSides> stars{ CellSides(this->triangulation) };
-    struct Crossing
-    {
-      std::size_t cells[2];
-      std::size_t begin, end; ///< of borders
-    };
-    std::vector<Crossing> crossings;
-    this->firstWay.assign(this->outside + 2, 0);
-    std::size_t border = 0;
-    stars.eachEdge(
-      [&](const LinkedEdge& linked)
-      {
-        const Border edge(
-          this->triangulation.pointIds[linked.low], this->triangulation.pointIds[linked.high], 0);
-        while (border < this->borders.size() && this->borders[border] < edge)
-        {
-          ++border;
-        }
-        std::size_t last = border;
-        while (last < this->borders.size() &&
-          std::get<0>(this->borders[last]) == std::get<0>(edge) &&
-          std::get<1>(this->borders[last]) == std::get<1>(edge))
-        {
-          ++last;
-        }
-        crossings.push_back(
-          { { stars.of().cell(linked.sides[0]),
-              linked.count > 1 ? stars.of().cell(linked.sides[1]) : this->outside },
-            border, last });
-        for (const std::size_t cell : crossings.back().cells)
-        {
-          ++this->firstWay[cell + 1];
-        }
-      });
-    std::partial_sum(this->firstWay.begin(), this->firstWay.end(), this->firstWay.begin());
-    this->ways.resize(this->firstWay.back());
-    std::vector<std::size_t> next(this->firstWay.begin(), this->firstWay.end() - 1);
-    for (const Crossing& crossing : crossings)
-    {
-      for (const int i : { 0, 1 })
-      {
-        this->ways[next[crossing.cells[i]]++] = { crossing.cells[1 - i], crossing.begin,
-          crossing.end };
-      }
-    }
-  }
-
   const ConstrainedTriangulation& triangulation;
   const PointSource source;
   const ConstraintView constraints;
   Monitor& monitor;
-  const std::size_t outside; ///< the number of what is no cell
+  const VertexStars<CellSides> stars;
+  Buffer<std::uint32_t> twin; ///< by side; NoIndex: outside is beyond it
   std::size_t featureCount = 0;
   std::vector<Border> borders; ///< ascending
-  std::vector<Way> ways;       ///< of each cell, and of the outside
-  std::vector<std::size_t> firstWay;
 };
 
 void requireFit(const ConstrainedTriangulation& triangulation, std::int64_t points,
