@@ -4,6 +4,7 @@
 
 #include "Blocks/BlockCells.h"
 #include "Blocks/BorderEdges.h"
+#include "Mesh/VertexStars.h"
 
 #include <algorithm>
 #include <array>
@@ -78,71 +79,44 @@ JointSites join(const std::vector<BlockSite>& own, const std::vector<ConflictQue
   return all;
 }
 
-/// The cells around each site.
-class CellsAround
+/// The corners of the cell that has these three, in this order around it; else none.
+/// @param stars of the complex, whose ids are sites
+std::vector<SiteHandle> cellWith(
+  const Corners& corners, const CellComplex& complex, const VertexStars<CellSides>& stars)
 {
-public:
-  CellsAround(const CellComplex& ofAll, const std::vector<SiteHandle>& members)
-    : complex(ofAll)
-    , sites(members)
-    , begins(members.size() + 2, 0)
+  const auto cellCount = [&stars](std::uint32_t v) { return stars.begin(v + 1) - stars.begin(v); };
+  std::uint32_t fewest = NoIndex;
+  for (const SiteHandle site : corners)
   {
-    const auto eachCorner = [this](const auto& use)
+    const std::int64_t* const ids = complex.pointIds.begin();
+    const std::int64_t* const id = std::lower_bound(ids, complex.pointIds.end(), site);
+    if (id == complex.pointIds.end() || *id != static_cast<std::int64_t>(site))
     {
-      std::vector<SiteHandle> corners;
-      for (std::int64_t cell = 0; cell < this->complex.cellCount(); ++cell)
-      {
-        cornersOf(this->complex, cell, this->sites, corners);
-        for (const SiteHandle site : corners)
-        {
-          use(cell, site);
-        }
-      }
-    };
-    eachCorner([this](std::int64_t, SiteHandle site) { ++this->begins[site + 2]; });
-    std::partial_sum(this->begins.begin(), this->begins.end(), this->begins.begin());
-    this->cells.resize(this->begins.back());
-    eachCorner(
-      [this](std::int64_t cell, SiteHandle site) { this->cells[this->begins[site + 1]++] = cell; });
-  }
-
-  /// The corners of the cell that has these three, in this order around it; else none.
-  std::vector<SiteHandle> shared(const Corners& corners) const
-  {
-    Corners fewest = corners;
-    std::sort(fewest.begin(), fewest.end(),
-      [this](SiteHandle a, SiteHandle b) { return this->end(a) - begin(a) < end(b) - begin(b); });
-    std::vector<SiteHandle> ring;
-    for (auto cell = this->begin(fewest[0]); cell != this->end(fewest[0]); ++cell)
-    {
-      if (std::binary_search(this->begin(fewest[1]), this->end(fewest[1]), *cell) &&
-        std::binary_search(this->begin(fewest[2]), this->end(fewest[2]), *cell))
-      {
-        cornersOf(this->complex, *cell, this->sites, ring);
-        std::rotate(ring.begin(), std::find(ring.begin(), ring.end(), corners[0]), ring.end());
-        const auto second = std::find(ring.begin(), ring.end(), corners[1]);
-        if (std::find(second, ring.end(), corners[2]) != ring.end())
-        {
-          return ring;
-        }
-      }
+      return {};
     }
-    return {};
+    const auto v = static_cast<std::uint32_t>(id - ids);
+    fewest = fewest == NoIndex || cellCount(v) < cellCount(fewest) ? v : fewest;
   }
-
-private:
-  using Iterator = std::vector<std::int64_t>::const_iterator;
-  Iterator begin(SiteHandle site) const
+  std::vector<SiteHandle> ring;
+  for (std::uint32_t i = stars.begin(fewest); i < stars.begin(fewest + 1); ++i)
   {
-    return this->cells.begin() + static_cast<std::ptrdiff_t>(this->begins[site]);
+    ring.clear();
+    std::uint32_t side = stars.side(i);
+    do
+    {
+      ring.push_back(static_cast<SiteHandle>(complex.pointIds[stars.of().origin(side)]));
+      side = stars.of().next(side);
+    } while (side != stars.side(i));
+    const auto first = std::find(ring.begin(), ring.end(), corners[0]);
+    std::rotate(ring.begin(), first, ring.end());
+    const auto second = std::find(ring.begin(), ring.end(), corners[1]);
+    if (ring.front() == corners[0] && std::find(second, ring.end(), corners[2]) != ring.end())
+    {
+      return ring;
+    }
   }
-  Iterator end(SiteHandle site) const { return this->begin(site + 1); }
-
-  const CellComplex& complex;
-  const std::vector<SiteHandle>& sites;
-  std::vector<std::size_t> begins;
-  std::vector<std::int64_t> cells; ///< of one site after another, ascending
-};
+  return {};
+}
 
 }
 
@@ -153,9 +127,7 @@ void removeFree(const BlockFrame& frame, const Options& options,
   const JointSites all = join(sites, queries);
   const CellComplex complex = cellsOf(frame.shape, all.sites, quiet(options));
   exactCalls += complex.statistics.exactCalls;
-  std::vector<SiteHandle> members(all.sites.size());
-  std::iota(members.begin(), members.end(), SiteHandle(0));
-  const CellsAround cells(complex, members);
+  const VertexStars<CellSides> stars{ CellSides(complex) };
   std::vector<std::array<SiteHandle, 2>> border;
   if (frame.isLifted())
   {
@@ -181,7 +153,7 @@ void removeFree(const BlockFrame& frame, const Options& options,
     }
     else
     {
-      const std::vector<SiteHandle> ring = cells.shared(corners);
+      const std::vector<SiteHandle> ring = cellWith(corners, complex, stars);
       isFree = !ring.empty();
       std::copy_if(ring.begin(), ring.end(), std::back_inserter(items),
         [&](SiteHandle handle) { return queries[i].wantsTies && handle < sites.size(); });
