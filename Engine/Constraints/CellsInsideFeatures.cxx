@@ -40,6 +40,7 @@ public:
     , stars(CellSides(given))
     , twin(given.connectivity.size())
   {
+    std::fill(this->twin.begin(), this->twin.end(), NoIndex); // also of sides without an edge
     LinkFaults faults;
     linkTwins(
       this->stars, [this] { this->monitor.poll(); },

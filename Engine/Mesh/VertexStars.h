@@ -397,7 +397,7 @@ struct LinkFaults
 };
 
 /// link(side, its twin) for all sides of edges that are not crowded, in parallel; NoIndex: it has
-/// none.
+/// none. A side that ends where it began, in a cell that has a corner twice, has no edge.
 /// @param poll   void (): before each task; it may throw
 /// @param faults it is for the caller to say which of them are
 template <class Sides, class Poll, class Link>
