@@ -136,12 +136,15 @@ struct LinkedEdge
   /// The second of two sides; NoIndex at the border.
   std::uint32_t other() const { return this->count > 1 ? this->sides[1] : NoIndex; }
 
-  /// use(side, its twin) for its one or two sides.
+  /// use(side, its twin) for its one or two sides. In a crowd none is another's twin.
   template <class Use>
   void link(const Use& use) const
   {
-    use(this->sides[0], this->other());
-    if (this->count > 1)
+    if (this->count <= 2)
+    {
+      use(this->sides[0], this->other());
+    }
+    if (this->count == 2)
     {
       use(this->sides[1], this->sides[0]);
     }
@@ -153,7 +156,7 @@ struct Star
 {
   std::vector<std::uint32_t> leaving; ///< sides that leave the vertex, ascending
   /// The same in the order of their cells, if these are one fan: from the lowest side on or, at the
-  /// border, from the first. Else only a part.
+  /// border, from the first. Else fewer.
   std::vector<std::uint32_t> ring;
   bool isClosed = false; ///< the fan ends where it began
 
@@ -163,7 +166,34 @@ private:
   template <class Sides>
   friend class VertexStars;
 
-  std::vector<std::uint64_t> ends; ///< a neighbour, an index in leaving, does the side lead there?
+  /// The index in leaving of the side that leads to @p u; NoIndex: none does.
+  std::uint32_t leadingTo(std::uint32_t u) const
+  {
+    if (!this->ends.empty())
+    {
+      const auto found =
+        std::lower_bound(this->ends.begin(), this->ends.end(), std::uint64_t(u) << 32);
+      const auto isThere = [&](auto at) { return at != this->ends.end() && *at >> 32 == u; };
+      return !isThere(found) ? NoIndex
+        : isThere(found + 1) ? Several
+                             : static_cast<std::uint32_t>(*found);
+    }
+    std::uint32_t found = NoIndex;
+    std::uint32_t times = 0;
+    for (std::uint32_t i = 0; i < this->to.size(); ++i)
+    {
+      const bool isThere = this->to[i] == u;
+      times += isThere ? 1 : 0;
+      found = isThere ? i : found;
+    }
+    return times > 1 ? Several : found;
+  }
+
+  static constexpr std::uint32_t Several = NoIndex - 1;
+
+  std::vector<std::uint32_t> to;        ///< by index in leaving: where the side leads
+  std::vector<std::uint32_t> from;      ///< and where the one before it comes from
+  std::vector<std::uint64_t> ends;      ///< neighbours and indices, ascending
   std::vector<std::uint32_t> following; ///< in leaving: the next around the vertex
   std::vector<std::uint8_t> follows;
   std::vector<std::uint32_t> along; ///< one edge
@@ -215,34 +245,36 @@ public:
   /// Find the star of a vertex.
   void link(std::uint32_t v, Star& star) const
   {
-    const std::uint32_t count = this->begin(v + 1) - this->begin(v);
-    star.leaving.clear();
+    this->find(v, star);
+    const auto count = static_cast<std::uint32_t>(star.leaving.size());
+    constexpr std::uint32_t Few = 16; // without being sorted they are searched sooner
     star.ends.clear();
-    for (std::uint32_t i = 0; i < count; ++i)
+    for (std::uint32_t i = 0; count > Few && i < count; ++i)
     {
-      const std::uint32_t side = this->side(this->begin(v) + i);
-      star.leaving.push_back(side);
-      star.ends.push_back(std::uint64_t(this->source(side)) << 32 | 2 * i);
-      star.ends.push_back(std::uint64_t(this->destination(side)) << 32 | (2 * i + 1));
+      star.ends.push_back(std::uint64_t(star.to[i]) << 32 | i);
     }
     std::sort(star.ends.begin(), star.ends.end());
     star.following.assign(count, NoIndex);
     star.follows.assign(count, 0);
-    eachGroup(star,
-      [&star](const std::uint64_t* begin, const std::uint64_t* end)
+    star.ring.clear();
+    star.isClosed = false;
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      const std::uint32_t next = star.leadingTo(star.from[i]);
+      if (next == Star::Several || (next != NoIndex && star.follows[next]))
       {
-        if (end - begin == 2 && leads(begin[0]) != leads(begin[1]))
-        {
-          const bool swapped = leads(begin[0]);
-          star.following[indexOf(begin[swapped])] = indexOf(begin[!swapped]);
-          star.follows[indexOf(begin[!swapped])] = 1;
-        }
-      });
+        return; // a crowd
+      }
+      if (next != NoIndex)
+      {
+        star.following[i] = next;
+        star.follows[next] = 1;
+      }
+    }
     const auto border = std::find(star.follows.begin(), star.follows.end(), 0);
     star.isClosed = border == star.follows.end();
     const std::uint32_t first =
       star.isClosed ? 0 : static_cast<std::uint32_t>(border - star.follows.begin());
-    star.ring.clear();
     std::uint32_t i = count ? first : NoIndex;
     while (i != NoIndex && (star.ring.empty() || i != first))
     {
@@ -251,22 +283,42 @@ public:
     }
   }
 
+  /// use(side, its twin) for the sides that come in to the vertex of a fan; NoIndex: it has none.
+  template <class Use>
+  void eachTwin(const Star& star, const Use& use) const
+  {
+    const std::size_t count = star.ring.size();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      use(this->sides.previous(star.ring[i]),
+        i + 1 < count     ? star.ring[i + 1]
+          : star.isClosed ? star.ring[0]
+                          : NoIndex);
+    }
+  }
+
   /// use(v, Star) for all vertices, in parallel.
   /// @param poll void (): before each task; it may throw
   template <class Poll, class Use>
   void eachStar(const Poll& poll, const Use& use) const
   {
-    constexpr std::size_t VerticesPerTask = 1 << 12;
-    eachChunk(this->sides.vertexCount(), VerticesPerTask,
-      [&](std::size_t begin, std::size_t end, std::size_t)
+    this->eachVertex(poll,
+      [&](std::uint32_t v, Star& star)
       {
-        poll();
-        Star star;
-        for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v)
-        {
-          this->link(v, star);
-          use(v, star);
-        }
+        this->link(v, star);
+        use(v, star);
+      });
+  }
+
+  /// use(LinkedEdge) for all edges, in parallel.
+  template <class Poll, class Use>
+  void eachEdgeOnThreads(const Poll& poll, const Use& use) const
+  {
+    this->eachVertex(poll,
+      [&](std::uint32_t v, Star& star)
+      {
+        this->find(v, star);
+        this->eachEdge(v, star, use);
       });
   }
 
@@ -277,7 +329,7 @@ public:
     Star star;
     for (std::uint32_t v = 0; v < this->sides.vertexCount(); ++v)
     {
-      this->link(v, star);
+      this->find(v, star);
       this->eachEdge(v, star, use);
     }
   }
@@ -295,23 +347,32 @@ public:
       }
       return;
     }
-    eachGroup(star,
-      [&](const std::uint64_t* begin, const std::uint64_t* end)
+    const auto count = static_cast<std::uint32_t>(star.leaving.size());
+    star.ends.resize(2 * std::size_t(count));
+    std::size_t size = 0;
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      star.ends[size] = std::uint64_t(star.from[i]) << 32 | 2 * i;
+      size += star.from[i] > v ? 1 : 0;
+      star.ends[size] = std::uint64_t(star.to[i]) << 32 | (2 * i + 1);
+      size += star.to[i] > v ? 1 : 0;
+    }
+    star.ends.resize(size);
+    std::sort(star.ends.begin(), star.ends.end());
+    for (std::size_t begin = 0, end = 0; begin < star.ends.size(); begin = end)
+    {
+      const std::uint64_t other = star.ends[begin] >> 32;
+      star.along.clear();
+      for (; end < star.ends.size() && star.ends[end] >> 32 == other; ++end)
       {
-        const auto other = static_cast<std::uint32_t>(*begin >> 32);
-        if (other <= v)
-        {
-          return;
-        }
-        star.along.clear();
-        for (const std::uint64_t* at = begin; at != end; ++at)
-        {
-          const std::uint32_t side = star.leaving[indexOf(*at)];
-          star.along.push_back(leads(*at) ? side : this->sides.previous(side));
-        }
-        use(LinkedEdge{ v, other, star.along.data(), star.along.size(),
-          end - begin == 2 && leads(begin[0]) == leads(begin[1]) });
-      });
+        const std::uint32_t side = star.leaving[static_cast<std::uint32_t>(star.ends[end]) >> 1];
+        star.along.push_back(star.ends[end] & 1 ? side : this->sides.previous(side));
+      }
+      const bool isTurned =
+        end - begin == 2 && (star.ends[begin] & 1) == (star.ends[begin + 1] & 1);
+      use(LinkedEdge{
+        v, static_cast<std::uint32_t>(other), star.along.data(), star.along.size(), isTurned });
+    }
   }
 
 private:
@@ -327,24 +388,36 @@ private:
     std::uint32_t operator()(const Leaving& leaving) const { return leaving.vertex; }
   };
 
-  static bool leads(std::uint64_t end) { return (end & 1) != 0; }
-  static std::uint32_t indexOf(std::uint64_t end) { return static_cast<std::uint32_t>(end) >> 1; }
-
-  /// use(begin, end) for each neighbour.
-  template <class Use>
-  static void eachGroup(const Star& star, const Use& use)
+  /// The sides at a vertex.
+  void find(std::uint32_t v, Star& star) const
   {
-    const std::uint64_t* const last = star.ends.data() + star.ends.size();
-    for (const std::uint64_t* begin = star.ends.data(); begin != last;)
+    const std::size_t count = this->begin(v + 1) - this->begin(v);
+    star.leaving.resize(count);
+    star.to.resize(count);
+    star.from.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
     {
-      const std::uint64_t* end = begin + 1;
-      while (end != last && *end >> 32 == *begin >> 32)
-      {
-        ++end;
-      }
-      use(begin, end);
-      begin = end;
+      const std::uint32_t side = this->leaving[this->begin(v) + i].side;
+      star.leaving[i] = side;
+      star.to[i] = this->destination(side);
+      star.from[i] = this->source(side);
     }
+  }
+
+  template <class Poll, class Use>
+  void eachVertex(const Poll& poll, const Use& use) const
+  {
+    constexpr std::size_t VerticesPerTask = 1 << 12;
+    eachChunk(this->sides.vertexCount(), VerticesPerTask,
+      [&](std::size_t begin, std::size_t end, std::size_t)
+      {
+        poll();
+        Star star;
+        for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v)
+        {
+          use(v, star);
+        }
+      });
   }
 
   /// use(number of the chunk, side) for chunks in parallel.
@@ -379,7 +452,7 @@ public:
     }
   }
 
-  std::int64_t count() const { return this->number.load(); } ///< of edges, or of vertices
+  std::int64_t count() const { return this->number.load(); } ///< of faults
   std::int64_t first() const { return this->lowest.load(); } ///< if there is one
 
 private:
@@ -387,13 +460,20 @@ private:
   std::atomic<std::uint32_t> lowest{ NoIndex };
 };
 
-/// Each edge, and each vertex, by the lowest of its cells.
+/// Each edge by the lowest of its cells.
 struct LinkFaults
 {
-  FaultyCells crowded; ///< edges of more than two sides
-  FaultyCells open;    ///< edges of one side
-  FaultyCells turned;  ///< edges of two sides that run in the same direction
-  FaultyCells parted;  ///< vertices whose cells are not one fan
+  FaultyCells crowded; ///< more than two sides
+  FaultyCells open;    ///< one side
+  FaultyCells turned;  ///< two sides that run in the same direction
+
+  void add(const LinkedEdge& edge, std::uint32_t cell)
+  {
+    if (edge.count != 2 || edge.isTurned)
+    {
+      (edge.count > 2 ? this->crowded : edge.count == 1 ? this->open : this->turned).add(cell);
+    }
+  }
 };
 
 /// link(side, its twin) for all sides of edges that are not crowded, in parallel; NoIndex: it has
@@ -404,32 +484,11 @@ template <class Sides, class Poll, class Link>
 void linkTwins(
   const VertexStars<Sides>& stars, const Poll& poll, const Link& link, LinkFaults& faults)
 {
-  stars.eachStar(poll,
-    [&](std::uint32_t v, Star& star)
+  stars.eachEdgeOnThreads(poll,
+    [&](const LinkedEdge& edge)
     {
-      if (!star.leaving.empty() && !star.isFan())
-      {
-        faults.parted.add(stars.of().cell(star.leaving.front()));
-      }
-      stars.eachEdge(v, star,
-        [&](const LinkedEdge& edge)
-        {
-          const std::uint32_t cell = stars.of().cell(edge.sides[0]);
-          if (edge.count > 2)
-          {
-            faults.crowded.add(cell);
-            return;
-          }
-          edge.link(link);
-          if (edge.count == 1)
-          {
-            faults.open.add(cell);
-          }
-          else if (edge.isTurned)
-          {
-            faults.turned.add(cell);
-          }
-        });
+      faults.add(edge, stars.of().cell(edge.sides[0]));
+      edge.link(link);
     });
 }
 

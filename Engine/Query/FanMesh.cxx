@@ -87,7 +87,7 @@ private:
     }
   }
 
-  /// Each edge is linked at its lower end. A vertex of the border knows the next one.
+  /// A vertex of the border knows the next one.
   void link()
   {
     const std::size_t count = this->given.pointIds.size();
@@ -106,7 +106,7 @@ private:
         {
           linkFacets(stars, this->given, v, star);
           this->mesh.lowestAt[v] = triangleOf(star.leaving.front());
-          stars.eachEdge(v, star, [&setTwins](const LinkedEdge& edge) { edge.link(setTwins); });
+          stars.eachTwin(star, setTwins);
           this->next[v] = NoIndex;
           if (!star.isClosed)
           {

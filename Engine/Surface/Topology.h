@@ -29,13 +29,30 @@ struct TopologyFault
 inline TopologyFault linkTriangles(
   Triangle* triangles, std::uint32_t count, std::uint32_t vertexCount)
 {
+  const VertexStars<TriangleSides> stars(TriangleSides(triangles, count, vertexCount));
   LinkFaults faults;
-  linkTwins(
-    VertexStars<TriangleSides>(TriangleSides(triangles, count, vertexCount)), [] {},
-    [triangles](std::uint32_t h, std::uint32_t twin) { setTwin(triangles, h, twin); }, faults);
+  FaultyCells parted;
+  stars.eachStar([] {},
+    [&](std::uint32_t v, Star& star)
+    {
+      if (star.isFan())
+      {
+        stars.eachTwin(
+          star, [triangles](std::uint32_t h, std::uint32_t twin) { setTwin(triangles, h, twin); });
+      }
+      else if (!star.leaving.empty())
+      {
+        parted.add(triangleOf(star.leaving.front()));
+      }
+      if (!star.isFan() || !star.isClosed)
+      {
+        stars.eachEdge(
+          v, star, [&](const LinkedEdge& edge) { faults.add(edge, triangleOf(edge.sides[0])); });
+      }
+    });
   const std::pair<ErrorCode, const FaultyCells*> inOrder[] = {
     { ErrorCode::NotManifold, &faults.crowded }, { ErrorCode::NotClosed, &faults.open },
-    { ErrorCode::NotOriented, &faults.turned }, { ErrorCode::NotManifold, &faults.parted }
+    { ErrorCode::NotOriented, &faults.turned }, { ErrorCode::NotManifold, &parted }
   };
   for (const auto& [code, found] : inOrder)
   {
