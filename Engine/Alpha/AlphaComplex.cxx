@@ -35,7 +35,7 @@ public:
     , monitor(monitorToUse)
     , sites(loadSites(points, weights, cells))
   {
-    checkCells(cells);
+    requireCells(cells);
   }
 
   /// use (cell, circle), side by side.

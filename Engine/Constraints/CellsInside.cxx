@@ -257,7 +257,7 @@ std::int64_t cellsInside(
       runOver(static_cast<std::size_t>(cells), options,
         [&](Monitor& monitor)
         {
-          checkCells(triangulation);
+          requireCells(triangulation);
           InsideFinder(triangulation, monitor).find(options.polygons, inside);
         });
       return static_cast<std::int64_t>(std::count(inside, inside + cells, std::uint8_t(1)));

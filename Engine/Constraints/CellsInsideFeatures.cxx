@@ -202,7 +202,7 @@ std::int64_t cellsInsideFeatures(const ConstrainedTriangulation& triangulation,
       runOver(static_cast<std::size_t>(cells), options,
         [&](Monitor& monitor)
         {
-          checkCells(triangulation);
+          requireCells(triangulation);
           if (triangulation.dimension < 2 || constraints.sides == 0)
           {
             std::fill_n(inside, cells, std::uint8_t(1));

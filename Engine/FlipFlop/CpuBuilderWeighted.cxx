@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlipFlop/CpuBuilderBody.h"
 
-#include "Geometry/LiftedLocator.h"
 #include "Geometry/LiftedStart.h"
 
 namespace flipflop

@@ -110,24 +110,6 @@ constexpr bool hasStart()
   return true;
 }
 
-/// A Locator starts walks near where they end. It keeps a triangle for each of some cells.
-template <class Geometry>
-constexpr bool hasLocator()
-{
-  using std::declval;
-  using Locator = typename Geometry::Locator;
-  using L = const Locator&;
-  static_assert(std::is_constructible_v<Locator, const Geometry&, const Triangle*, std::uint32_t,
-    const Vertex*, Monitor&>);
-  using Cell = decltype(declval<L>().cellOf(declval<const double*>()));
-  FF_REQUIRES(std::uint32_t, declval<L>().near(declval<const Vertex&>(), declval<Cell>()));
-  // The triangle in whose cone p lies, by a visibility walk from a given one.
-  FF_REQUIRES(std::uint32_t,
-    declval<L>().locate(
-      declval<const Geometry&>(), declval<const Vertex&>(), declval<std::uint32_t>()));
-  return true;
-}
-
 /// What Builder needs besides, of models that are not BuiltByParts: tests of planes and split
 /// cones, prepared for many points, each a rounded value and its error bound.
 template <class Geometry>
@@ -156,8 +138,18 @@ constexpr bool canGrow()
   FF_REQUIRES(double, declval<const Split&>().height(0, declval<const double*>()));
   FF_REQUIRES(double, declval<const Split&>().heightError(0));
 
-  // A locator that dismisses points that are certainly inside, a block at a time.
+  // A locator starts walks near where they end: it keeps a triangle for each of some cells. And it
+  // dismisses points that are certainly inside, a block at a time.
   using Locator = typename Geometry::Locator;
+  using L = const Locator&;
+  static_assert(std::is_constructible_v<Locator, const Geometry&, const Triangle*, std::uint32_t,
+    const Vertex*, Monitor&>);
+  using Cell = decltype(declval<L>().cellOf(declval<const double*>()));
+  FF_REQUIRES(std::uint32_t, declval<L>().near(declval<const Vertex&>(), declval<Cell>()));
+  // The triangle in whose cone p lies, by a visibility walk from a given one.
+  FF_REQUIRES(std::uint32_t,
+    declval<L>().locate(
+      declval<const Geometry&>(), declval<const Vertex&>(), declval<std::uint32_t>()));
   FF_REQUIRES(void, declval<const Locator&>().classify(declval<typename Locator::Block&>(), 0));
   FF_REQUIRES(const int, Locator::BlockSize);
   static_assert(
@@ -176,7 +168,7 @@ constexpr bool isGeometry()
   {
     static_assert(canGrow<Geometry>());
   }
-  return hasSigns<Geometry>() && hasStart<Geometry>() && hasLocator<Geometry>();
+  return hasSigns<Geometry>() && hasStart<Geometry>();
 }
 
 }

@@ -40,16 +40,11 @@
 namespace flipflop
 {
 
-template <bool Weighted>
-class LiftedLocator;
-
 /// @tparam Weighted false: all weights are zero, and cost nothing
 template <bool Weighted>
 class LiftedGeometry : public PredicateSteps<LiftedGeometry<Weighted>>
 {
 public:
-  using Locator = LiftedLocator<Weighted>;
-
   /// Are all points vertices but for duplicates? All are, on a paraboloid.
   static constexpr bool AllExtreme = !Weighted;
 

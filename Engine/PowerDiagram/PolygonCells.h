@@ -18,7 +18,7 @@ namespace flipflop
 {
 
 /// The cells as rounded; corners are numbered by first use, and no position is there twice.
-/// @param t       checked by checkCells()
+/// @param t       checked by requireCells()
 /// @param centers of its facets
 /// @param polygon from domainCorners()
 /// @param monitor is in a stage of one for each site

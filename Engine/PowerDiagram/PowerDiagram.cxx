@@ -259,7 +259,7 @@ bool makeCells(const PointView& points, const WeightView& weights, const CellCom
     [&]
     {
       const Buffer<PowerSite> sites = loadSites(points, weights, complex);
-      checkCells(complex);
+      requireCells(complex);
       RoundedCells cells;
       isMade = work(monitor, sites, cells);
       if (isMade)

@@ -46,7 +46,7 @@ inline LineNeighbours lineNeighbours(const CellComplex& t)
 class SiteNeighbours
 {
 public:
-  /// @param triangulation checked by checkCells(); it must live on
+  /// @param triangulation checked by requireCells(); it must live on
   explicit SiteNeighbours(const CellComplex& triangulation)
     : t(triangulation)
   {

@@ -6,14 +6,14 @@
 #ifndef flipflop_TriangulationInput_h
 #define flipflop_TriangulationInput_h
 
+#include "Mesh/CellStructure.h"
 #include "Mesh/VertexStars.h"
 #include "Points/PointSource.h"
 #include "PowerDiagram/PowerCorners.h"
-#include "Support/Parallel.h"
 #include <flipflop/Buffer.h>
 #include <flipflop/Triangulation.h>
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -42,72 +42,29 @@ inline Buffer<PowerSite> loadSites(
   requireValid(weights, points.count);
   const PointSource source(points, weights);
   Buffer<PowerSite> sites(triangulation.pointIds.size());
-  eachCheckedChunk(sites.size(), SitesPerTask,
-    [&](std::size_t begin, std::size_t end, std::size_t)
+  const Validation found = firstFault(sites.size(), SitesPerTask, source,
+    [&](const PointSource& local, std::size_t i)
     {
-      for (std::size_t i = begin; i < end; ++i)
+      double x[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL };
+      if (isInOrder(triangulation, i, points.count))
       {
-        const std::int64_t id = triangulation.pointIds[i];
-        if (id <= (i > 0 ? triangulation.pointIds[i - 1] : -1) || id >= points.count)
-        {
-          refuse(id);
-        }
-        double x[3];
-        source.load(static_cast<std::uint32_t>(id), x);
-        if (!isFinite(x))
-        {
-          refuse(id);
-        }
-        sites[i] = { { x[0], x[1] }, x[2] };
+        local.load(static_cast<std::uint32_t>(triangulation.pointIds[i]), x);
       }
+      sites[i] = { { x[0], x[1] }, x[2] };
+      return isFinite(x) ? Validation() : faultAt(Fault::Structure, static_cast<std::int64_t>(i));
     });
+  requireSound(found, triangulation, NotATriangulation);
   return sites;
 }
 
 /// The cells' corners are in range, and each cell has as many as the dimension requires.
 /// @throw Error BadArgument
-inline void checkCells(const CellComplex& t)
+inline void requireCells(const CellComplex& triangulation)
 {
-  const int dimension = t.dimension;
-  const std::size_t sites = t.pointIds.size();
-  const std::int64_t size = static_cast<std::int64_t>(t.connectivity.size());
-  if (dimension < -1 || dimension > 2 || (dimension == -1 && sites != 0) ||
-    (dimension == 0 && sites != 1) || (dimension == 1 && sites < 2) || t.cellSize < 0 ||
-    (t.cellSize > 0 && size % t.cellSize != 0) ||
-    (t.cellSize == 0 && t.offsets.empty() && size > 0) || size >= NoIndex)
+  if (!checkCells(triangulation, 2, CellForm::InRange))
   {
     refuse();
   }
-  const std::int64_t cells = t.cellCount();
-  if (cells == 0 ? size != 0 : t.cellBegin(0) != 0 || t.cellBegin(cells) != size)
-  {
-    refuse();
-  }
-  const std::int64_t least = dimension + 1;
-  const std::int64_t most = dimension < 2 ? least : NoIndex;
-  eachCheckedChunk(static_cast<std::size_t>(cells), FacetsPerTask,
-    [&](std::size_t begin, std::size_t end, std::size_t)
-    {
-      for (auto c = static_cast<std::int64_t>(begin); c < static_cast<std::int64_t>(end); ++c)
-      {
-        const std::int64_t first = t.cellBegin(c);
-        const std::int64_t next = t.cellBegin(c + 1);
-        if (first < 0 || next < first || next > size || next - first < least || next - first > most)
-        {
-          refuse();
-        }
-      }
-    });
-  eachCheckedChunk(t.connectivity.size(), FacetsPerTask,
-    [&](std::size_t begin, std::size_t end, std::size_t)
-    {
-      if (std::any_of(t.connectivity.begin() + begin, t.connectivity.begin() + end,
-            [&t](std::int64_t corner)
-            { return corner < 0 || corner >= static_cast<std::int64_t>(t.pointIds.size()); }))
-      {
-        refuse();
-      }
-    });
 }
 
 /// The facets around a site.

@@ -6,10 +6,10 @@
 /// there it is cut in two. Cuts do not cross, so it does not matter where the walk begins.
 #include <flipflop/CellBoundary.h>
 
+#include "Mesh/CellStructure.h"
 #include "Mesh/VertexStars.h"
 #include "Run/QueryRun.h"
 #include "Support/EngineCall.h"
-#include "Validate/ValidateStructure.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <flipflop/Certificate.h>
 
-#include "Geometry/ConvexPolygon.h"
 #include "Geometry/HullLocator.h"
 #include "Geometry/HullStart.h"
+#include "Mesh/CellStructure.h"
 #include "Run/HullRun.h"
 #include "Support/EngineCall.h"
 #include "Support/ProgressOfParts.h"
-#include "Surface/CellMesh.h"
-#include "Surface/HullKernel.h"
+#include "Surface/GivenHull.h"
 #include "Surface/StarShape.h"
-#include "Validate/ValidateStructure.h"
 #include <flipflop/TriangulationQueries.h>
 
 #include <algorithm>
@@ -29,20 +27,14 @@ constexpr const char* NoHull = "the hull must be one of these points";
 class HullCertifier
 {
 public:
-  HullCertifier(HullRun& run, const Hull& hull, Certificate& certificate)
-    : run(run)
-    , hull(hull)
-    , certificate(certificate)
+  HullCertifier(HullRun& pointsRun, const Hull& givenHull, Certificate& result)
+    : run(pointsRun)
+    , hull(givenHull)
+    , certificate(result)
+    , given(pointsRun.source, givenHull)
   {
-    for (const std::int64_t id : hull.pointIds)
-    {
-      this->corners.push_back(run.source.vertex(static_cast<std::uint32_t>(id)));
-      this->corners.back().flags = VertexAlive;
-      if (!isFinite(this->corners.back().x))
-      {
-        throw badArgument("a hull's points must be finite", id);
-      }
-    }
+    requireSound(checkFinite(this->given.corners), givenHull, "a hull's points must be finite");
+    requireSound(this->given.link(pointsRun.geometry, pointsRun.monitor), givenHull, NoHull);
   }
 
   void certify()
@@ -84,11 +76,7 @@ private:
 
   void certifyPolygon()
   {
-    const std::vector<std::int64_t> ring = ringOfCells(this->hull);
-    if (ring.size() != this->corners.size())
-    {
-      throw badArgument(NoHull);
-    }
+    const std::vector<std::int64_t>& ring = this->given.ring;
     // Which cell the triangle of the corners 0, i and i + 1 is: cells are in the order of corners.
     std::vector<std::int64_t> cellAt(ring.size(), 0);
     if (this->hull.cellCount() > 1)
@@ -102,34 +90,25 @@ private:
       std::transform(ring.begin(), ring.end(), cellAt.begin(),
         [&](std::int64_t corner) { return cellFrom[static_cast<std::size_t>(corner)]; });
     }
-    const auto at = [&](std::size_t i) -> const Vertex&
-    { return this->corners[static_cast<std::size_t>(ring[i])]; };
-    const PlaneAxes axes = planeAxes(this->run.geometry, at(0), at(1), at(2));
     this->nameCells(
       [&](const HullGeometry& local, const Vertex& p) -> std::int64_t
       {
-        const std::size_t i = fanTriangleOf(ring.size(),
-          [&](std::size_t from, std::size_t to)
-          { return local.planar(at(from), at(to), p, axes.p, axes.q); });
+        const std::size_t i = this->given.fanTriangle(local, p);
         return i == 0 ? -1 : cellAt[i];
       });
   }
 
   void certifySolid()
   {
-    const CellMesh mesh = meshOfCells(this->hull, this->corners, false);
-    if (!mesh.any || mesh.fault.any)
-    {
-      throw badArgument(NoHull);
-    }
-    this->setApex(mesh.polyhedron);
-    const HullLocator locator(std::as_const(this->run.geometry), mesh.polyhedron.triangles.data(),
-      mesh.polyhedron.triangleCount(), mesh.polyhedron.vertices.data(), this->run.monitor);
+    const Polyhedron& solid = this->given.solid;
+    this->setApex(solid);
+    const HullLocator locator(std::as_const(this->run.geometry), solid.triangles.data(),
+      solid.triangleCount(), solid.vertices.data(), this->run.monitor);
     this->nameCells(
       [&](const HullGeometry& local, const Vertex& p)
       {
         const std::uint32_t start = locator.near(p, locator.cellOf(p.x));
-        return mesh.cellOf[locator.locate(local, p, start)];
+        return this->given.cellOf[locator.locate(local, p, start)];
       });
   }
 
@@ -137,13 +116,6 @@ private:
   void setApex(const Polyhedron& solid)
   {
     HullGeometry& geometry = this->run.geometry;
-    std::vector<std::uint32_t> ids(this->hull.pointIds.begin(), this->hull.pointIds.end());
-    const Span span = placeKernel(geometry, this->run.source, ids.data(),
-      static_cast<std::uint32_t>(ids.size()), solid, this->run.monitor);
-    if (span.dimension < 3)
-    {
-      throw badArgument(NoHull);
-    }
     centerKernel(geometry, solid);
     const int exponent = this->run.arithmetic.scaleExponent;
     const auto given = [exponent](double x) { return std::ldexp(x, -exponent); };
@@ -156,7 +128,7 @@ private:
     Vertex four[4];
     for (int k = 0; k < 4; ++k)
     {
-      four[k] = this->run.source.vertex(span.ids[k]);
+      four[k] = this->run.source.vertex(this->given.independent.ids[k]);
     }
     if (!isGiven)
     {
@@ -177,7 +149,7 @@ private:
   HullRun& run;
   const Hull& hull;
   Certificate& certificate;
-  std::vector<Vertex> corners;
+  GivenHull given;
 };
 
 /// @param prepare TriangulationQueries (const Options&)

@@ -97,7 +97,7 @@ std::int64_t cellsWithinEdgeLength(const PointView& points, const CellComplex& t
         [&](Monitor& monitor)
         {
           const Buffer<PowerSite> sites = loadSites(points, WeightView(), triangulation);
-          checkCells(triangulation);
+          requireCells(triangulation);
           const LengthLimit length(limit);
           eachChunk(cells, FacetsPerTask,
             [&](std::size_t begin, std::size_t end, std::size_t)

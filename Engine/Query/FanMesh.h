@@ -2,37 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// A triangulation as queries walk on it: the fans of its cells, in the order of the cells until
-/// they are renumbered, with their neighbours across the edges.
-///
-/// It is checked by exact signs: triangles turn left, each edge that is not fixed is regular, the
-/// border is one convex loop. Then it is the regular triangulation of its points, or the
-/// constrained one, and what is beyond the border is outside.
+/// they are renumbered, with their neighbours across the edges. SurfaceCheck.h has what they must
+/// be.
 #ifndef flipflop_FanMesh_h
 #define flipflop_FanMesh_h
 
-#include "Geometry/LiftedGeometry.h"
 #include "Mesh/Mesh.h"
 #include "Support/Monitor.h"
+#include "Surface/CellMesh.h"
 #include <flipflop/Buffer.h>
-#include <flipflop/Triangulation.h>
 
 #include <cstdint>
 
 namespace flipflop
 {
 
-struct FanMesh
+struct FanMesh : CellMesh
 {
-  FanMesh() = default;
-
-  /// @param vertices      of the triangulation's points, by index
-  /// @param geometry      of them
-  /// @param triangulation of dimension 2, after checkCells
-  /// @param fixedEdges    of it, as ConstrainedTriangulation has them; null: none
-  /// @throw Error BadArgument, TooManyPoints, OutOfMemory, Aborted
-  FanMesh(const Vertex* vertices, const LiftedGeometry<true>& geometry,
-    const Triangulation& triangulation, const Buffer<std::int64_t>* fixedEdges, Monitor& monitor);
-
   /// Renumbers vertices, and with them triangles, so that what is near in the plane is near in
   /// memory.
   /// @param order the vertices' numbers until now
@@ -101,11 +87,7 @@ struct FanMesh
       [&](std::uint32_t h) { return use(this->origin(nextHalfEdge(h))); });
   }
 
-  Buffer<Triangle> triangles;         ///< twin: NoIndex at the border
-  Buffer<std::uint32_t> cells;        ///< of each triangle its cell
-  Buffer<std::uint32_t> lowestAt;     ///< of each vertex its lowest triangle
   Buffer<std::uint32_t> lowestCellAt; ///< of each vertex
-  bool isRegular = true;              ///< each edge is, also those that are fixed
 };
 
 }

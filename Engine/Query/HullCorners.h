@@ -6,8 +6,8 @@
 #ifndef flipflop_HullCorners_h
 #define flipflop_HullCorners_h
 
+#include "Mesh/CellStructure.h"
 #include "Points/PointSource.h"
-#include "Validate/ValidateStructure.h"
 #include <flipflop/Buffer.h>
 #include <flipflop/Hull.h>
 

@@ -107,7 +107,7 @@ void cellMeasures(const PointView& points, const CellComplex& triangulation, dou
         [&](Monitor& monitor)
         {
           const Buffer<PowerSite> sites = loadSites(points, WeightView(), triangulation);
-          checkCells(triangulation);
+          requireCells(triangulation);
           eachCell(triangulation.cellCount(), monitor,
             [&](std::size_t cell)
             {

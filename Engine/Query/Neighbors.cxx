@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <flipflop/Neighbors.h>
 
+#include "Mesh/CellStructure.h"
 #include "Mesh/VertexStars.h"
 #include "Run/QueryRun.h"
 #include "Support/EngineCall.h"
-#include "Validate/ValidateStructure.h"
 
 #include <limits>
 

@@ -69,8 +69,9 @@ public:
           this->put(index);
           return;
         }
+        const Vertex near = this->prepared.sites.scaled(position);
         this->addAt(
-          index, position, space, this->prepared.locator.locate(space, position, this->start));
+          index, position, space, this->prepared.locator.locate(space, near, this->start));
       });
   }
 

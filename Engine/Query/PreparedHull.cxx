@@ -4,13 +4,13 @@
 
 #include "Geometry/HullStart.h"
 #include "Geometry/VisibilityWalk.h"
+#include "Mesh/Faults.h"
 #include "Query/HullCorners.h"
-#include "Surface/CellMesh.h"
-#include "Surface/HullKernel.h"
+#include "Surface/GivenHull.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace flipflop
 {
@@ -66,46 +66,19 @@ void PreparedHull::build(QueryRun& run, const Hull& hull)
   this->spans = hull.dimension;
   this->ids.allocate(hull.pointIds.size());
   std::copy(hull.pointIds.begin(), hull.pointIds.end(), this->ids.begin());
-  const std::uint32_t count = run.source.count();
-  std::vector<Vertex> corners;
-  corners.reserve(count);
-  for (std::uint32_t i = 0; i < count; ++i)
-  {
-    corners.push_back(run.source.vertex(i));
-    corners.back().flags = VertexAlive;
-  }
+  GivenHull given(run.source, hull);
+  requireSound(
+    given.link(this->space, run.monitor), hull, "the hull must be one that convexHull() returned");
   if (this->spans < 3)
   {
-    this->solid = Polyhedron(count, 0);
-    std::copy(corners.begin(), corners.end(), this->solid.vertices.begin());
-    if (this->spans == 2)
-    {
-      const std::vector<std::int64_t> ring = ringOfCells(hull);
-      this->around.assign(ring.begin(), ring.end());
-      if (this->around.size() != count)
-      {
-        throw badArgument("the hull must be one that convexHull() returned");
-      }
-      this->axes = planeAxes(
-        this->space, corners[this->around[0]], corners[this->around[1]], corners[this->around[2]]);
-    }
+    this->solid = Polyhedron(given.corners.size(), 0);
+    std::copy(given.corners.begin(), given.corners.end(), this->solid.vertices.begin());
+    this->around.assign(given.ring.begin(), given.ring.end());
+    this->axes = given.axes;
     return;
   }
-  CellMesh mesh = meshOfCells(hull, corners, false);
-  if (!mesh.any || mesh.fault.any)
-  {
-    throw badArgument("the hull must be one that convexHull() returned");
-  }
-  this->solid = std::move(mesh.polyhedron);
-  std::vector<std::uint32_t> all(count);
-  std::iota(all.begin(), all.end(), 0u);
-  const Span span =
-    placeKernel(this->space, run.source, all.data(), count, this->solid, run.monitor);
-  if (span.dimension < 3)
-  {
-    throw badArgument("the hull must be one that convexHull() returned");
-  }
-  std::copy(span.ids, span.ids + 4, this->independent);
+  this->solid = std::move(given.solid);
+  std::copy(given.independent.ids, given.independent.ids + 4, this->independent);
   // From the middle, rays lead near what is nearest, and the locator dismisses most.
   centerKernel(this->space, this->solid);
 }

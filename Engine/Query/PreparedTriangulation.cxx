@@ -6,12 +6,23 @@
 #include "PowerDiagram/TriangulationInput.h"
 #include "Support/Monitor.h"
 #include "Support/Threads.h"
+#include "Surface/SurfaceCheck.h"
 
 #include <algorithm>
 #include <cstddef>
 
 namespace flipflop
 {
+
+namespace
+{
+
+constexpr const char* NoRing = "the triangulation must be one of these points and weights: around "
+                               "each site its facets form one ring";
+constexpr const char* NotRegular = "the triangulation must be one of these points and weights: "
+                                   "counter-clockwise, its edges regular, its border convex";
+
+}
 
 PreparedTriangulation::PreparedTriangulation(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const Buffer<std::int64_t>* fixedEdges,
@@ -26,22 +37,31 @@ PreparedTriangulation::PreparedTriangulation(const PointView& points, const Weig
     [&]
     {
       const Buffer<PowerSite> given = loadSites(points, weights, triangulation);
-      checkCells(triangulation);
+      requireCells(triangulation);
       this->dimension = triangulation.dimension;
       if (this->dimension >= 0)
       {
+        if (given.empty())
+        {
+          refuse();
+        }
         this->sites = Sites(given, triangulation);
       }
+      const auto& geometry = this->sites.scaledGeometry();
       if (this->dimension == 1)
       {
-        this->chain = SiteChain(this->sites, triangulation, monitor);
+        requireSound(this->chain.make(this->sites.data(), geometry, triangulation, monitor),
+          triangulation, NotATriangulation);
       }
       if (this->dimension == 2)
       {
-        this->mesh = FanMesh(
-          this->sites.data(), this->sites.scaledGeometry(), triangulation, fixedEdges, monitor);
+        requireSound(this->mesh.link(triangulation, true, monitor), triangulation, NoRing);
+        SurfaceCheck<Sites::Geometry> check(triangulation, this->mesh.triangles,
+          this->mesh.cells.data(), this->sites.data(), geometry, monitor);
+        requireSound(check.checkPlane(), triangulation, NotRegular);
+        requireSound(check.checkEdges(CellForm::InRange, fixedEdges), triangulation, NotRegular);
         this->renumber(monitor);
-        this->locator = SiteLocator(this->sites, this->mesh, monitor);
+        this->locator = SiteLocator(this->sites.data(), this->mesh, check.isRegular(), monitor);
         this->numberCells(triangulation.cellCount(), inside);
       }
       monitor.stage(1.0, 1.0, 1);
@@ -81,7 +101,8 @@ std::int64_t PreparedTriangulation::cellAt(
         const ChainLocation found = this->chain.locate(space);
         return found.from == NoIndex ? -1 : static_cast<std::int64_t>(found.cell);
       }
-      const std::uint32_t found = this->lowestCell(this->locator.locate(space, position, start));
+      const std::uint32_t found =
+        this->lowestCell(this->locator.locate(space, this->sites.scaled(position), start));
       return found == NoIndex ? -1 : static_cast<std::int64_t>(found);
     });
 }
@@ -95,8 +116,11 @@ std::int64_t PreparedTriangulation::nearestTo(const SiteSigns& signs, const doub
   return signs.withSpace(position,
     [&](const auto& space) -> std::int64_t
     {
-      const std::uint32_t found =
-        this->dimension == 1 ? this->chain.nearest(space) : this->locator.nearest(space, position);
+      double nearby[2] = { position[0], position[1] };
+      this->sites.intoBox(nearby);
+      const std::uint32_t found = this->dimension == 1
+        ? this->chain.nearest(space)
+        : this->locator.nearest(space, this->sites.scaled(nearby));
       return this->sites[found].id;
     });
 }

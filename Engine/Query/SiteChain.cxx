@@ -2,47 +2,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Query/SiteChain.h"
 
-#include "PowerDiagram/TriangulationInput.h"
-#include "Support/Parallel.h"
+#include "Mesh/Faults.h"
 
 #include <numeric>
 
 namespace flipflop
 {
 
-SiteChain::SiteChain(const Sites& sites, const Triangulation& triangulation, Monitor& monitor)
-  : along(sites.count())
-  , cells(sites.count() - 1)
+Validation SiteChain::make(const Vertex* sites, const LiftedGeometry<true>& geometry,
+  const Triangulation& triangulation, Monitor& monitor)
 {
+  const std::size_t count = triangulation.pointIds.size();
+  this->along.allocate(count);
+  this->cells.allocate(count - 1);
   std::iota(this->along.begin(), this->along.end(), 0u);
   threads::sort(this->along.begin(), this->along.end(),
-    [&sites](std::uint32_t a, std::uint32_t b) { return precedes(sites[a], sites[b]); });
+    [sites](std::uint32_t a, std::uint32_t b) { return precedes(sites[a], sites[b]); });
   monitor.poll();
 
-  const Sites::Geometry& geometry = sites.scaledGeometry();
-  const std::size_t count = this->along.size();
   Buffer<std::uint32_t> rank(count);
   StepPoll poll(monitor);
   for (std::size_t i = 0; i < count; ++i)
   {
     poll.step();
     rank[this->along[i]] = static_cast<std::uint32_t>(i);
-    const Vertex& p = sites[this->along[i]];
-    const Vertex& before = sites[this->along[i > 0 ? i - 1 : 0]];
-    const Vertex& after = sites[this->along[i + 1 < count ? i + 1 : i]];
-    const bool inner = i > 0 && i + 1 < count;
-    if ((i > 0 && !precedes(before, p)) ||
-      (inner &&
-        (geometry.orient(before, p, after) != 0 || !geometry.isAboveChord(before, p, after))))
+    const auto at = [&](std::size_t k) -> const Vertex& { return sites[this->along[k]]; };
+    const bool isInner = i > 0 && i + 1 < count;
+    if (isInner && geometry.orient(at(i - 1), at(i), at(i + 1)) != 0)
     {
-      refuse(p.id);
+      return faultAt(Fault::WrongDimension, this->along[i]);
+    }
+    if ((i > 0 && !precedes(at(i - 1), at(i))) ||
+      (isInner && !geometry.isAboveChord(at(i - 1), at(i), at(i + 1))))
+    {
+      return faultAt(Fault::NotExtreme, this->along[i]);
     }
   }
 
   // As many cells as pairs, and each pair has one.
   if (triangulation.cellCount() != static_cast<std::int64_t>(count) - 1)
   {
-    refuse();
+    return faultAt(Fault::NotClosed, -1);
   }
   std::fill(this->cells.begin(), this->cells.end(), NoIndex);
   for (std::size_t c = 0; c < this->cells.size(); ++c)
@@ -52,10 +52,11 @@ SiteChain::SiteChain(const Sites& sites, const Triangulation& triangulation, Mon
     const std::uint32_t low = std::min(rankOf(0), rankOf(1));
     if (std::max(rankOf(0), rankOf(1)) != low + 1 || this->cells[low] != NoIndex)
     {
-      refuse(sites[this->along[low]].id);
+      return faultAt(Fault::NotClosed, static_cast<std::int64_t>(c));
     }
     this->cells[low] = static_cast<std::uint32_t>(c);
   }
+  return Validation();
 }
 
 }

@@ -10,6 +10,7 @@
 #include "Support/Monitor.h"
 #include <flipflop/Buffer.h>
 #include <flipflop/Triangulation.h>
+#include <flipflop/Validate.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,12 +30,15 @@ struct ChainLocation
 class SiteChain
 {
 public:
-  SiteChain() = default;
-
-  /// @param sites         must outlive the chain
-  /// @param triangulation of dimension 1, after checkCells
-  /// @throw Error BadArgument, Aborted
-  SiteChain(const Sites& sites, const Triangulation& triangulation, Monitor& monitor);
+  /// Order the sites, and check by exact signs that the triangulation is theirs.
+  /// @param vertices      of the triangulation's points, by index, which must outlive the chain
+  /// @param geometry      of them
+  /// @param triangulation of dimension 1, after requireCells
+  /// @return NotExtreme, WrongDimension: a point that is not above its neighbours' chord, or not on
+  ///         their line; NotClosed: a cell that does not join neighbours; or -1: one is missing
+  /// @throw Error OutOfMemory, Aborted
+  Validation make(const Vertex* vertices, const LiftedGeometry<true>& geometry,
+    const Triangulation& triangulation, Monitor& monitor);
 
   /// @param space of the query
   template <class Space>

@@ -2,32 +2,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Query/SiteLocator.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace flipflop
 {
 
-SiteLocator::SiteLocator(const Sites& points, const FanMesh& fans, Monitor& monitor)
-  : sites(&points)
-  , mesh(&fans)
+SiteLocator::SiteLocator(
+  const Vertex* vertices, const FanMesh& fans, bool regular, Monitor& monitor)
+  : mesh(&fans)
+  , isRegular(regular)
 {
   StepPoll poll(monitor);
+  const std::size_t count = fans.lowestAt.size();
   std::vector<ValuedPosition> positions;
-  positions.reserve(points.count());
-  for (std::uint32_t v = 0; v < points.count(); ++v)
+  positions.reserve(count);
+  double low[2] = { HUGE_VAL, HUGE_VAL };
+  double high[2] = { -HUGE_VAL, -HUGE_VAL };
+  for (std::size_t v = 0; v < count; ++v)
   {
     poll.step();
-    positions.push_back({ { points[v].x[0], points[v].x[1] }, fans.lowestAt[v] });
+    const double* const x = vertices[v].x;
+    positions.push_back({ { x[0], x[1] }, fans.lowestAt[v] });
+    for (int i = 0; i < 2; ++i)
+    {
+      low[i] = std::min(low[i], x[i]);
+      high[i] = std::max(high[i], x[i]);
+    }
   }
   this->grid.build(
     std::move(positions), [](double, double, std::uint32_t t) { return t; },
     [&poll] { poll.step(); });
-  double side = 1;
-  for (int i = 0; i < 2; ++i)
-  {
-    side *= std::sqrt(points.scaled(points.highest(i)) - points.scaled(points.lowest(i)));
-  }
-  this->nearDistance = 2 * side / std::sqrt(static_cast<double>(points.count()));
+  const double side = std::sqrt(high[0] - low[0]) * std::sqrt(high[1] - low[1]);
+  this->nearDistance = 2 * side / std::sqrt(static_cast<double>(count));
 }
 
 MeshLocation SiteLocator::lowest(std::uint32_t t, int onSides) const

@@ -16,7 +16,6 @@
 #include "Geometry/PositionGrid.h"
 #include "Geometry/VisibilityWalk.h"
 #include "Query/FanMesh.h"
-#include "Query/Sites.h"
 #include "Query/StraightWalk.h"
 #include "Support/Monitor.h"
 #include <flipflop/Triangulation.h>
@@ -57,18 +56,19 @@ class SiteLocator
 public:
   SiteLocator() = default;
 
-  /// @param mesh of the sites, not empty; both must outlive the locator
-  SiteLocator(const Sites& sites, const FanMesh& mesh, Monitor& monitor);
+  /// @param vertices of the mesh, which is not empty and must outlive the locator
+  /// @param regular  each edge is, also those that are fixed; else walks are straight ones
+  SiteLocator(const Vertex* vertices, const FanMesh& mesh, bool regular, Monitor& monitor);
 
   /// Positions so near to each other, scaled, are found one from the other sooner than by the grid.
   double reach() const { return this->nearDistance; }
 
-  /// @param position in the sites' box
+  /// @param near the query among the vertices, rounded
   template <class Space>
-  MeshLocation locate(const Space& space, const double* position, WalkStart& start) const
+  MeshLocation locate(const Space& space, const Vertex& near, WalkStart& start) const
   {
-    const std::uint32_t first = this->beginAt(position, start);
-    if (!this->mesh->isRegular)
+    const std::uint32_t first = this->beginAt(near, start);
+    if (!this->isRegular)
     {
       return this->locateStraight(space, first, start);
     }
@@ -98,12 +98,11 @@ public:
   }
 
   /// The index of the nearest site.
+  /// @param near the query among the vertices, moved into their box
   template <class Space>
-  std::uint32_t nearest(const Space& space, const double* position) const
+  std::uint32_t nearest(const Space& space, const Vertex& near) const
   {
-    double start[2] = { position[0], position[1] };
-    this->sites->intoBox(start);
-    std::uint32_t best = this->mesh->triangles[this->near(this->sites->scaled(start))].v[0];
+    std::uint32_t best = this->mesh->triangles[this->triangleNear(near)].v[0];
     for (std::uint32_t from = NoIndex; from != best;)
     {
       from = best;
@@ -152,23 +151,22 @@ private:
   }
 
   /// The triangle where a search begins.
-  std::uint32_t beginAt(const double* position, WalkStart& start) const
+  std::uint32_t beginAt(const Vertex& p, WalkStart& start) const
   {
-    const Vertex p = this->sites->scaled(position);
     const bool isNear = start.triangle != NoIndex &&
       std::fabs(p.x[0] - start.x[0]) + std::fabs(p.x[1] - start.x[1]) < this->nearDistance;
     start.x[0] = p.x[0];
     start.x[1] = p.x[1];
-    return isNear ? start.triangle : this->near(p);
+    return isNear ? start.triangle : this->triangleNear(p);
   }
 
-  std::uint32_t near(const Vertex& p) const
+  std::uint32_t triangleNear(const Vertex& p) const
   {
     return this->grid.valueAt(this->grid.cellOf(p.x[0], p.x[1]), p.x[0], p.x[1]);
   }
 
-  const Sites* sites = nullptr;
   const FanMesh* mesh = nullptr;
+  bool isRegular = true;
   PositionGrid grid; ///< of triangles
   double nearDistance = 0;
 };

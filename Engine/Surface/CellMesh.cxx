@@ -2,80 +2,100 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surface/CellMesh.h"
 
+#include "Mesh/Faults.h"
+#include "Mesh/VertexStars.h"
+#include "Support/Parallel.h"
+
 #include <algorithm>
 
 namespace flipflop
 {
 
-namespace
+std::vector<Vertex> cornersIn(const PointSource& source, const CellComplex& complex)
 {
-
-using Fan = std::array<std::uint32_t, 3>;
-
-/// Add a triangle to vertex @p apex, turned around, at every side without a twin.
-void closeBorder(const CellComplex& complex, std::vector<Fan>& fans, std::uint32_t apex)
-{
-  Buffer<std::uint8_t> isOpen(complex.connectivity.size());
-  std::fill(isOpen.begin(), isOpen.end(), 0);
-  const VertexStars<CellSides> stars{ CellSides(complex) };
-  LinkFaults faults;
-  linkTwins(
-    stars, [] {},
-    [&](std::uint32_t side, std::uint32_t twin) { isOpen[side] = twin == NoIndex ? 1 : 0; },
-    faults);
-  for (std::uint32_t side = 0; side < isOpen.size(); ++side)
+  std::vector<Vertex> corners;
+  // Where there are no other points, ids are indices.
+  const std::size_t count = complex.pointIds.size();
+  for (std::size_t i = 0; i < count; ++i)
   {
-    if (isOpen[side])
-    {
-      fans.push_back({ stars.destination(side), stars.of().origin(side), apex });
-    }
+    const auto id = source.count() == count ? static_cast<std::int64_t>(i) : complex.pointIds[i];
+    corners.push_back(source.vertex(static_cast<std::uint32_t>(id)));
+    corners.back().flags = VertexAlive;
   }
+  return corners;
 }
 
+Validation checkFinite(const std::vector<Vertex>& corners)
+{
+  const auto found = std::find_if(
+    corners.begin(), corners.end(), [](const Vertex& corner) { return !isFinite(corner.x); });
+  return found == corners.end() ? Validation() : faultAt(Fault::Structure, found - corners.begin());
 }
 
-CellMesh meshOfCells(const CellComplex& complex, const std::vector<Vertex>& corners, bool open)
+Validation CellMesh::link(const CellComplex& complex, bool mayBeOpen, Monitor& monitor)
 {
-  CellMesh mesh;
-  std::vector<Fan> fans;
-  for (std::int64_t cell = 0; cell < complex.cellCount(); ++cell)
+  // A cell of k corners makes k - 2 triangles.
+  const std::int64_t cellCount = complex.cellCount();
+  const std::int64_t count = cellCount > 0 ? complex.cellBegin(cellCount) - 2 * cellCount : 0;
+  if (count >= NoIndex / 4)
   {
-    const std::int64_t begin = complex.cellBegin(cell);
-    const std::int64_t* c = complex.connectivity.data();
-    for (std::int64_t i = begin + 2; i < complex.cellBegin(cell + 1); ++i)
+    throw Error(ErrorCode::TooManyPoints, -1, count);
+  }
+  this->triangles.allocate(static_cast<std::size_t>(count));
+  this->cells.allocate(static_cast<std::size_t>(count));
+  constexpr std::size_t CellsPerTask = 1 << 13;
+  eachChunk(static_cast<std::size_t>(cellCount), CellsPerTask,
+    [&](std::size_t begin, std::size_t end, std::size_t)
     {
-      fans.push_back({ static_cast<std::uint32_t>(c[begin]), static_cast<std::uint32_t>(c[i - 1]),
-        static_cast<std::uint32_t>(c[i]) });
-      mesh.cellOf.push_back(cell);
-    }
-  }
-  constexpr std::size_t Most = NoIndex / 4; // half-edges have 32 bits, and no result of ours more
-  if (open && fans.size() < Most)
+      monitor.poll();
+      for (auto cell = static_cast<std::int64_t>(begin); cell < std::int64_t(end); ++cell)
+      {
+        this->addFan(complex, cell);
+      }
+    });
+
+  // Each side is linked at its end.
+  const std::size_t points = complex.pointIds.size();
+  const VertexStars<TriangleSides> stars(
+    TriangleSides(this->triangles.data(), this->triangles.size(), points));
+  this->lowestAt.allocate(points);
+  FaultyCells parted, unused;
+  stars.eachStar([&] { monitor.poll(); },
+    [&](std::uint32_t v, Star& star)
+    {
+      if (star.leaving.empty())
+      {
+        unused.add(v);
+      }
+      else if (!star.isFan() || !(star.isClosed || mayBeOpen))
+      {
+        parted.add(this->cells[triangleOf(star.leaving.front())]);
+      }
+      else
+      {
+        this->lowestAt[v] = triangleOf(star.leaving.front());
+        stars.eachTwin(star,
+          [this](std::uint32_t h, std::uint32_t twin)
+          { setTwin(this->triangles.data(), h, twin); });
+      }
+    });
+  return parted.count() > 0 ? faultAt(Fault::NotClosed, parted.first())
+    : unused.count() > 0    ? faultAt(Fault::Structure, unused.first())
+                            : Validation();
+}
+
+void CellMesh::addFan(const CellComplex& complex, std::int64_t cell)
+{
+  const std::int64_t begin = complex.cellBegin(cell);
+  const auto corner = [&complex](std::int64_t i)
+  { return static_cast<std::uint32_t>(complex.connectivity[static_cast<std::size_t>(i)]); };
+  auto t = static_cast<std::size_t>(begin - 2 * cell);
+  for (std::int64_t i = begin + 1; i + 1 < complex.cellBegin(cell + 1); ++i, ++t)
   {
-    closeBorder(complex, fans, static_cast<std::uint32_t>(corners.size()));
-    mesh.cellOf.resize(fans.size(), -1);
+    this->cells[t] = static_cast<std::uint32_t>(cell);
+    this->triangles[t] = { { corner(begin), corner(i), corner(i + 1) }, 0,
+      { NoIndex, NoIndex, NoIndex }, 0 };
   }
-  if (fans.empty() || fans.size() >= Most)
-  {
-    return mesh;
-  }
-  mesh.any = true;
-  mesh.polyhedron = Polyhedron(corners.size() + (open ? 1 : 0), fans.size());
-  std::copy(corners.begin(), corners.end(), mesh.polyhedron.vertices.begin());
-  if (open)
-  {
-    mesh.polyhedron.vertices[corners.size()] = virtualVertex();
-  }
-  for (std::size_t t = 0; t < fans.size(); ++t)
-  {
-    Triangle& triangle = mesh.polyhedron.triangles[t];
-    std::copy(fans[t].begin(), fans[t].end(), triangle.v);
-    triangle.flags = 0;
-    triangle.flatEdges = 0;
-  }
-  mesh.fault = linkTriangles(mesh.polyhedron.triangles.data(), mesh.polyhedron.triangleCount(),
-    mesh.polyhedron.vertexCount());
-  return mesh;
 }
 
 std::vector<std::int64_t> ringOfCells(const CellComplex& complex)

@@ -1,34 +1,50 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The triangles of a result's cells, linked: each cell as the fan from its first corner.
+/// The points of given cells, and their triangles, linked: each cell as the fan from its first
+/// corner.
 #ifndef flipflop_CellMesh_h
 #define flipflop_CellMesh_h
 
-#include "Mesh/Polyhedron.h"
+#include "Mesh/Mesh.h"
+#include "Points/PointSource.h"
 #include "Points/Vertex.h"
-#include "Surface/Topology.h"
+#include "Support/Monitor.h"
+#include <flipflop/Buffer.h>
 #include <flipflop/CellComplex.h>
+#include <flipflop/Validate.h>
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace flipflop
 {
 
+/// The points of a complex, by index.
+/// @param source of the input, or of the complex's points alone
+std::vector<Vertex> cornersIn(const PointSource& source, const CellComplex& complex);
+
+/// Structure, at a corner that is not finite.
+Validation checkFinite(const std::vector<Vertex>& corners);
+
 struct CellMesh
 {
-  Polyhedron polyhedron;            ///< its vertices are the complex's points, by index
-  std::vector<std::int64_t> cellOf; ///< by triangle; -1: virtual
-  bool any = false;                 ///< there are triangles, no more than half-edges can number
-  TopologyFault fault;              ///< where they could not be linked
-};
+  /// Make the fans of all cells, and link them.
+  /// @param complex   in range; of dimension 2 in the plane, or 3
+  /// @param mayBeOpen it may have a border
+  /// @return NotClosed: around a corner of this cell there is no one fan, or it is open; Structure:
+  ///         a point without cells
+  /// @throw Error TooManyPoints, OutOfMemory, Aborted
+  Validation link(const CellComplex& complex, bool mayBeOpen, Monitor& monitor);
 
-/// @param complex of dimension 2 or 3, of sound structure
-/// @param corners the complex's points, by index
-/// @param open    close the surface by triangles from its border to a virtual vertex
-CellMesh meshOfCells(const CellComplex& complex, const std::vector<Vertex>& corners, bool open);
+  Buffer<Triangle> triangles;     ///< of points by index, in the order of cells; twin: NoIndex at
+                                  ///< the border
+  Buffer<std::uint32_t> cells;    ///< of each triangle its cell
+  Buffer<std::uint32_t> lowestAt; ///< of each point its lowest triangle
+
+private:
+  void addFan(const CellComplex& complex, std::int64_t cell);
+};
 
 /// The one polygon of a flat complex, or the one whose fan its triangles are, in any order: corners
 /// counter-clockwise, the lowest first. Empty: it is neither.

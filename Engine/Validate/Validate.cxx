@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <flipflop/Validate.h>
 
-#include "Geometry/ConvexPolygon.h"
-#include "Geometry/HullCones.h"
 #include "Geometry/HullLocator.h"
+#include "Mesh/CellStructure.h"
 #include "Run/HullRun.h"
 #include "Support/EngineCall.h"
-#include "Surface/CellMesh.h"
-#include "Surface/HullKernel.h"
-#include "Validate/ValidateStructure.h"
-#include "Validate/ValidateSurface.h"
+#include "Surface/GivenHull.h"
+#include "Surface/StarShape.h"
+#include "Surface/SurfaceCheck.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace flipflop
@@ -21,43 +21,62 @@ namespace flipflop
 namespace
 {
 
+/// A point at a corner's position must not have a lower id.
+Fault checkDuplicate(const Vertex& corner, const Vertex& p)
+{
+  return samePosition(corner, p) && p.id < corner.id ? Fault::WrongId : Fault::None;
+}
+
 /// Everything about one check that needs coordinates.
-class HullChecker : private SurfaceChecker<HullGeometry>
+class HullChecker
 {
 public:
-  HullChecker(HullRun& run, const Hull& hull)
-    : SurfaceChecker(run, run.geometry, hull)
-    , run(run)
-    , hull(hull)
+  HullChecker(HullRun& pointsRun, const Hull& givenHull)
+    : run(pointsRun)
+    , hull(givenHull)
+    , given(pointsRun.source, givenHull)
   {
   }
 
   Validation check()
   {
-    const Validation finite = this->checkFinite();
-    if (!finite)
+    const Validation finite = checkFinite(this->given.corners);
+    if (!finite || this->hull.dimension < 2)
     {
-      return finite;
+      return finite ? this->checkLine() : finite;
     }
-    switch (this->hull.dimension)
+    const Validation linked = this->given.link(this->run.geometry, this->run.monitor);
+    if (!linked || this->hull.dimension == 2)
     {
-      case -1:
-        return faultAt(Fault::WrongDimension, 0); // there is a finite point
-      case 0:
-      case 1:
-        return this->checkLine();
-      case 2:
-        return this->checkPolygon();
-      default:
-        return this->checkSolid();
+      return linked ? this->checkPolygon() : linked;
     }
+    return this->checkSolid();
   }
 
 private:
-  Validation checkLine()
+  /// @param test Fault (geometry, point), of each finite point
+  template <class Test>
+  Validation eachPoint(const Test& test) const
   {
-    const Vertex& a = this->corner[0];
-    const Vertex& b = this->corner.back();
+    constexpr std::size_t PointsPerTask = 1 << 14;
+    return firstFault(this->run.source.count(), PointsPerTask, this->run.geometry,
+      [&](const HullGeometry& local, std::size_t id)
+      {
+        const Vertex p = this->run.source.vertex(static_cast<std::uint32_t>(id));
+        const Fault fault = this->run.checkFinite && !isFinite(p.x) ? Fault::None : test(local, p);
+        return fault == Fault::None ? Validation() : faultAt(fault, static_cast<std::int64_t>(id));
+      });
+  }
+
+  Validation checkLine() const
+  {
+    const std::vector<Vertex>& corners = this->given.corners;
+    if (corners.empty())
+    {
+      return faultAt(Fault::WrongDimension, 0); // there is a finite point
+    }
+    const Vertex& a = corners.front();
+    const Vertex& b = corners.back();
     if (this->hull.dimension == 1 && samePosition(a, b))
     {
       return faultAt(Fault::NotExtreme, 1);
@@ -65,39 +84,23 @@ private:
     return this->eachPoint(
       [&](const HullGeometry& local, const Vertex& p)
       {
-        bool between = local.collinear(a, b, p);
-        for (int i = 0; i < 3; ++i)
+        if (samePosition(a, p) || samePosition(b, p))
         {
-          between =
-            between && std::min(a.x[i], b.x[i]) <= p.x[i] && p.x[i] <= std::max(a.x[i], b.x[i]);
+          return checkDuplicate(samePosition(a, p) ? a : b, p);
         }
-        if (!between)
-        {
-          return Fault::PointOutside;
-        }
-        return checkDuplicate(a, p) != Fault::None ? Fault::WrongId : checkDuplicate(b, p);
+        return local.isBetween(a, b, p) ? Fault::None : Fault::PointOutside;
       });
   }
 
   /// One polygon, or the fan of one, in its plane.
-  Validation checkPolygon()
+  Validation checkPolygon() const
   {
     const HullGeometry& geometry = this->run.geometry;
-    const std::vector<std::int64_t> ring = ringOfCells(this->hull);
-    if (ring.empty())
-    {
-      return faultAt(Fault::NotClosed, 0);
-    }
+    const auto at = [this](std::size_t i) -> const Vertex& { return this->given.around(i); };
+    const std::vector<std::int64_t>& ring = this->given.ring;
     const std::size_t n = ring.size();
-    if (n != this->corner.size())
-    {
-      return faultAt(Fault::Structure, 0);
-    }
-    const auto at = [&](std::size_t i) -> const Vertex& { return this->corner[ring[i % n]]; };
-
-    const PlaneAxes axes = planeAxes(geometry, at(0), at(1), at(2));
-    const int p = axes.p;
-    const int q = axes.q;
+    const int p = this->given.axes.p;
+    const int q = this->given.axes.q;
     for (std::size_t i = 0; i < n; ++i)
     {
       if (geometry.planar(at(i), at(i + 1), at(i + 2), p, q) <= 0)
@@ -117,12 +120,8 @@ private:
     return this->eachPoint(
       [&](const HullGeometry& local, const Vertex& v)
       {
-        if (local.above(at(0), at(1), at(2), v) != 0)
-        {
-          return Fault::PointOutside;
-        }
-        const std::size_t low = fanTriangleOf(
-          n, [&](std::size_t i, std::size_t j) { return local.planar(at(i), at(j), v, p, q); });
+        const bool isInPlane = local.above(at(0), at(1), at(2), v) == 0;
+        const std::size_t low = isInPlane ? this->given.fanTriangle(local, v) : 0;
         if (low == 0)
         {
           return Fault::PointOutside;
@@ -138,26 +137,55 @@ private:
       });
   }
 
-  Validation checkSolid()
+  Validation checkSolid() const
   {
-    const Validation mesh = this->makeMesh(false);
-    if (!mesh)
+    const Polyhedron& solid = this->given.solid;
+    const std::uint32_t* const cellOf = this->given.cellOf.data();
+    const StarFault star = findStarFault(this->run.geometry, solid);
+    if (star.count)
     {
-      return mesh;
+      return faultAt(Fault::NotConvex, cellOf[star.triangle]);
     }
-    return this->placeKernel() ? this->checkSurface() : faultAt(Fault::WrongDimension, -1);
+    SurfaceCheck<HullGeometry> check(this->hull, solid.triangles, cellOf, solid.vertices.data(),
+      this->run.geometry, this->run.monitor);
+    const Validation edges = check.checkEdges(CellForm::Canonical);
+    const Validation extreme = edges ? check.checkExtreme() : edges;
+    return extreme ? this->checkInside() : extreme;
   }
 
-  bool placeKernel()
+  Validation checkInside() const
   {
-    const std::vector<std::uint32_t> ids = this->cornerIds();
-    return flipflop::placeKernel(this->run.geometry, this->run.source, ids.data(),
-             static_cast<std::uint32_t>(ids.size()), this->polyhedron, this->run.monitor)
-             .dimension == 3;
+    const Polyhedron& mesh = this->given.solid;
+    const Buffer<std::int64_t>& ids = this->hull.pointIds;
+    const HullLocator locator(this->run.geometry, mesh.triangles.data(), mesh.triangleCount(),
+      mesh.vertices.data(), this->run.monitor);
+    return this->eachPoint(
+      [&](const HullGeometry& local, const Vertex& p)
+      {
+        if (std::binary_search(ids.begin(), ids.end(), static_cast<std::int64_t>(p.id)))
+        {
+          return Fault::None;
+        }
+        // The locator only shows where to start; inside or not is decided by signs. Its walk ends
+        // on fans too: they are a regular refinement of the convex surface that has been checked.
+        const std::uint32_t start = locator.near(p, locator.cellOf(p.x));
+        const std::uint32_t* const v = mesh.triangles[locator.locate(local, p, start)].v;
+        const int sign =
+          local.above(mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]], p);
+        for (int i = 0; i < 3 && sign == 0; ++i)
+        {
+          if (checkDuplicate(mesh.vertices[v[i]], p) != Fault::None)
+          {
+            return Fault::WrongId;
+          }
+        }
+        return sign > 0 ? Fault::PointOutside : Fault::None;
+      });
   }
 
   HullRun& run;
   const Hull& hull;
+  GivenHull given;
 };
 
 }
@@ -170,8 +198,6 @@ Validation validate(const PointView& points, const Hull& hull, int threads)
       Options options;
       options.threads = threads;
       options.nonFinite = NonFinitePolicy::Ignore;
-      // A hull in polygons has true facets; one in triangles may have flat edges.
-      options.facets = hull.cellSize == 3 ? FacetMode::Triangles : FacetMode::Polygons;
       HullRun run(points, options);
       Validation result = checkHullStructure(points.count, hull);
       if (!result)

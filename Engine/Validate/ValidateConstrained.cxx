@@ -7,13 +7,9 @@
 /// constraints.
 #include <flipflop/Validate.h>
 
-#include "Geometry/LiftedLocator.h"
-#include "Geometry/LiftedStart.h"
 #include "Points/ConstraintInput.h"
-#include "Run/TriangulationRun.h"
 #include "Support/EngineCall.h"
-#include "Validate/ValidateStructure.h"
-#include "Validate/ValidateSurface.h"
+#include "Validate/GivenTriangulation.h"
 
 #include <algorithm>
 #include <array>
@@ -28,17 +24,14 @@ namespace flipflop
 namespace
 {
 
-class ConstrainedChecker : private SurfaceChecker<LiftedGeometry<false>>
+class ConstrainedChecker : private GivenTriangulation
 {
 public:
-  using Geometry = LiftedGeometry<false>;
-
-  ConstrainedChecker(TriangulationRun<false>& toUse, const ConstraintView& given,
-    const ConstrainedTriangulation& judged)
-    : SurfaceChecker<Geometry>(toUse, toUse.geometry, judged)
-    , run(toUse)
-    , constraints(given)
-    , result(judged)
+  ConstrainedChecker(TriangulationRun<true>& pointsRun, const ConstraintView& constraintsGiven,
+    const ConstrainedTriangulation& triangulation)
+    : GivenTriangulation(pointsRun, triangulation)
+    , constraints(constraintsGiven)
+    , result(triangulation)
   {
   }
 
@@ -46,7 +39,7 @@ public:
   {
     for (const auto& step :
       { &ConstrainedChecker::checkFixedStructure, &ConstrainedChecker::checkPoints,
-        &ConstrainedChecker::checkPlane, &ConstrainedChecker::checkConstraints })
+        &ConstrainedChecker::checkCells, &ConstrainedChecker::checkConstraints })
     {
       const Validation found = (this->*step)();
       if (!found)
@@ -93,7 +86,7 @@ private:
   Validation checkFixedStructure()
   {
     const std::size_t count = this->result.constraintOf.size();
-    const auto points = static_cast<std::int64_t>(this->corner.size());
+    const auto points = static_cast<std::int64_t>(this->corners.size());
     if (this->result.fixedEdges.size() != 2 * count || this->result.balance.size() != count ||
       this->result.sideOf.size() != count || this->result.sides != this->constraints.sides)
     {
@@ -110,7 +103,7 @@ private:
       this->fixed.emplace(edge,
         Along{ this->result.constraintOf[i], this->result.balance[i], this->result.sideOf[i] });
     }
-    return this->checkFinite();
+    return checkFinite(this->corners);
   }
 
   /// The lowest id of each position appears, and all others are hidden.
@@ -143,96 +136,35 @@ private:
     return v == visible.size() && h == hidden.size() ? Validation() : faultAt(Fault::Structure, -1);
   }
 
-  Validation checkPlane()
+  /// All positions have a corner, so a chain joins each to the next along the line.
+  Validation checkCells()
   {
-    const std::vector<std::uint32_t> ids = this->cornerIds();
-    const Span span = this->run.spanOf(ids.data(), static_cast<std::uint32_t>(ids.size()));
-    if (span.dimension != this->result.dimension)
-    {
-      return faultAt(Fault::WrongDimension, -1);
-    }
-    if (span.dimension < 2)
-    {
-      return this->checkChain();
-    }
-    const Validation mesh = this->makeMesh(true);
-    if (!mesh)
-    {
-      return mesh;
-    }
-    startingTetrahedron(this->run.geometry, this->run.source, span.ids); // sets the kernel point
-    const Validation star = this->checkStar();
-    return star ? this->checkEdges() : star;
-  }
-
-  /// One corner; or cells from each position along the line to the next.
-  Validation checkChain() const
-  {
-    std::vector<Edge> cells;
-    auto last = this->cornerAt.begin();
-    for (auto next = std::next(last); next != this->cornerAt.end(); last = next++)
-    {
-      cells.push_back(std::minmax(last->second, next->second));
-    }
-    std::sort(cells.begin(), cells.end());
-    const Buffer<std::int64_t>& found = this->result.connectivity;
-    bool same = this->result.dimension == 0 ? found.size() == 1 : found.size() == 2 * cells.size();
-    for (std::size_t i = 0; same && i < cells.size(); ++i)
-    {
-      same = found[2 * i] == cells[i].first && found[2 * i + 1] == cells[i].second;
-    }
-    return same ? Validation() : faultAt(Fault::NotClosed, -1);
-  }
-
-  /// Each edge is fixed, at the border, or locally Delaunay. Triangles of one circle that no fixed
-  /// edge parts are one polygon, or the fan from their lowest corner.
-  Validation checkEdges() const
-  {
-    const Geometry local = this->run.geometry;
-    const bool merged = this->run.options.facets == FacetMode::Polygons;
-    const Triangle* const triangles = this->polyhedron.triangles.data();
-    const Vertex* const v = this->polyhedron.vertices.data();
-    for (std::uint32_t t = 0; t < this->polyhedron.triangleCount(); ++t)
-    {
-      const std::uint32_t* const own = triangles[t].v;
-      for (int e = 0; e < 3; ++e)
-      {
-        const std::uint32_t twin = triangles[t].twin[e];
-        const std::uint32_t* const other = triangles[triangleOf(twin)].v;
-        const int sign =
-          local.above(v[own[0]], v[own[1]], v[own[2]], v[other[previousCorner(cornerOf(twin))]]);
-        const std::int64_t cell = this->cellOf[t];
-        const std::int64_t neighbour = this->cellOf[triangleOf(twin)];
-        const bool within = cell == neighbour && cell >= 0;
-        const bool isFixed =
-          this->fixed.count(std::minmax<std::int64_t>(own[e], own[nextCorner(e)])) != 0;
-        if (isFixed ? within
-                    : sign > 0 || (within && sign != 0) ||
-              (merged && !within && cell >= 0 && neighbour >= 0 && sign == 0))
-        {
-          return faultAt(Fault::NotConvex, std::max(cell, neighbour));
-        }
-        if (!merged && !isFixed && sign == 0 && cell >= 0 && neighbour >= 0 &&
-          (own[0] != other[0] || e == 1))
-        {
-          return faultAt(Fault::Structure, cell);
-        }
-      }
-    }
-    return this->checkFixedAreEdges();
+    const bool isAny = this->result.dimension > 0;
+    const Validation found = isAny ? this->checkMesh(&this->result.fixedEdges) : Validation();
+    return found ? this->checkFixedAreEdges() : found;
   }
 
   Validation checkFixedAreEdges() const
   {
     std::size_t found = 0;
-    for (std::uint32_t t = 0; t < this->polyhedron.triangleCount(); ++t)
+    const auto count = [&](std::int64_t a, std::int64_t b)
+    { found += this->fixed.count(std::minmax(a, b)); };
+    const Buffer<std::int64_t>& corners = this->result.connectivity;
+    for (std::size_t i = 0; this->result.dimension == 1 && i < corners.size(); i += 2)
     {
-      const std::uint32_t* const corners = this->polyhedron.triangles[t].v;
+      count(corners[i], corners[i + 1]);
+    }
+    for (const Triangle& triangle : this->mesh.triangles)
+    {
       for (int e = 0; e < 3; ++e)
       {
-        // Each edge has one side that goes up.
-        const Edge side(corners[e], corners[nextCorner(e)]);
-        found += side.first < side.second ? this->fixed.count(side) : 0;
+        // Within, the side that goes up counts.
+        const std::uint32_t from = triangle.v[e];
+        const std::uint32_t to = triangle.v[nextCorner(e)];
+        if (from < to || triangle.twin[e] == NoIndex)
+        {
+          count(from, to);
+        }
       }
     }
     return found == this->fixed.size() ? Validation() : faultAt(Fault::NotFixed, -1);
@@ -241,7 +173,7 @@ private:
   /// The first constraint along each fixed edge, derived from the constraints.
   Validation checkConstraints()
   {
-    std::vector<std::vector<std::int64_t>> neighbours(this->corner.size());
+    std::vector<std::vector<std::int64_t>> neighbours(this->corners.size());
     for (const auto& edge : this->fixed)
     {
       neighbours[static_cast<std::size_t>(edge.first.first)].push_back(edge.first.second);
@@ -289,13 +221,12 @@ private:
   bool leads(const Geometry& local, std::int64_t a, std::int64_t p, std::int64_t b) const
   {
     const auto at = [this](std::int64_t i) -> const Vertex&
-    { return this->corner[static_cast<std::size_t>(i)]; };
+    { return this->corners[static_cast<std::size_t>(i)]; };
     const Position from = positionOf(at(a)), on = positionOf(at(p)), to = positionOf(at(b));
     return local.orient(at(a), at(p), at(b)) == 0 &&
       (from < to ? from < on && on <= to : to <= on && on < from);
   }
 
-  TriangulationRun<false>& run;
   const ConstraintView constraints;
   const ConstrainedTriangulation& result;
   std::map<Edge, Along> fixed;
@@ -310,32 +241,14 @@ Validation validate(const PointView& points, const ConstraintView& constraints,
   return engineCall(
     [&]
     {
-      Options options;
-      options.threads = threads;
-      options.nonFinite = NonFinitePolicy::Ignore;
-      options.facets = triangulation.cellSize == 3 ? FacetMode::Triangles : FacetMode::Polygons;
-      TriangulationRun<false> run(points, WeightView(), options);
+      requireValid(points, 2);
       requireValid(constraints, points.count);
-      Validation result = checkStructure(points.count, triangulation, 2);
-      if (!result)
-      {
-        return result;
-      }
-      run.execute<Triangulation>(
-        [&](Triangulation& scratch)
+      return validateTriangulation(points, WeightView(), triangulation, threads,
+        [&](TriangulationRun<true>& run)
         {
-          if (!run.inspect(scratch.statistics))
-          {
-            result =
-              triangulation.dimension == -1 ? Validation() : faultAt(Fault::WrongDimension, -1);
-            return;
-          }
           requireFinite(constraints, run.source, run.checkFinite);
-          result = triangulation.dimension == -1
-            ? faultAt(Fault::WrongDimension, 0)
-            : ConstrainedChecker(run, constraints, triangulation).check();
+          return ConstrainedChecker(run, constraints, triangulation).check();
         });
-      return result;
     });
 }
 

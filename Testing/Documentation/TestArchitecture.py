@@ -33,7 +33,7 @@ PROMISED = {
 # The modules of a folder of the library: each may use those before it.
 MODULES = {
     "Engine": ["Support", "Points", "Predicates", "Mesh", "Geometry", "FlipFlop", "Finish", "Run",
-               "Surface", "PowerDiagram", "Validate", "Query", "Alpha", "Constraints", "Terrain",
+               "Surface", "PowerDiagram", "Query", "Validate", "Alpha", "Constraints", "Terrain",
                "Blocks", "Stream", "Transport"],
     "Cuda": ["Rounds", "Device", "Choice"],
 }

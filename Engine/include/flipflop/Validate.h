@@ -4,8 +4,8 @@
 /// The validator: is this the convex hull, or the regular or constrained triangulation, of these
 /// points, in canonical form?
 ///
-/// It uses the engine's exact predicates and the locator's walk, but no code that computes
-/// results. The predicates themselves are tested against rationals.
+/// It uses the engine's exact predicates, and the checks and walks of queries, but no code that
+/// computes results. The predicates themselves are tested against rationals.
 #ifndef flipflop_Validate_h
 #define flipflop_Validate_h
 
@@ -26,7 +26,8 @@ enum class Fault
   Structure,     ///< sizes, indices, order of ids or cells; a cell not at its lowest corner; a
                  ///< facet's triangles not the fan from its lowest corner
   NotClosed,     ///< an edge without its opposite, or used twice
-  NotConvex,     ///< an edge that is reflex, or flat where two polygons meet; a facet not planar
+  NotConvex,     ///< an edge that is reflex, or flat where two polygons meet; a facet not planar; a
+                 ///< border that turns right, or -1: goes around more than once
   NotExtreme,    ///< a hull point that is not strictly extreme
   PointOutside,  ///< an input point outside the hull
   NotFixed,      ///< a constraint that is no chain of fixed edges; or -1: a fixed edge that is no

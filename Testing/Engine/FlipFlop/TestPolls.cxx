@@ -7,14 +7,16 @@
 #include "Finish/Redundant.h"
 #include "FlipFlop/CpuBuilder.h"
 #include "Geometry/HullLocator.h"
-#include "Geometry/LiftedLocator.h"
 #include "Geometry/LiftedStart.h"
 #include "Mesh/Compact.h"
+#include "Query/FanMesh.h"
+#include "Query/SiteLocator.h"
 #include "Run/HullRun.h"
 #include "Run/TriangulationRun.h"
 #include "Support/Threads.h"
 #include "Testing/Engine/Conformance/CompareTriangulation.h"
 #include "Testing/Engine/Inputs/InputsWeighted.h"
+#include <flipflop/RegularTriangulation.h>
 
 #include <chrono>
 #include <functional>
@@ -120,19 +122,6 @@ struct Built
           compact(plane.vertexCount() > 0 ? plane.full() : std::move(this->polyhedron));
       });
   }
-
-  template <class Locator>
-  void expectLocatorLooks(std::size_t steps)
-  {
-    const Polyhedron& p = this->polyhedron;
-    expectLooks(
-      [&](Monitor& monitor)
-      {
-        const Locator locator(
-          this->run.geometry, p.triangles.data(), p.triangleCount(), p.vertices.data(), monitor);
-      },
-      looksIn(steps));
-  }
 };
 
 Options oneThread(FacetMode facets)
@@ -203,17 +192,34 @@ TEST(Polls, WhileTheHullsLocatorIsMade)
     },
     viewOf(cloud), oneThread(FacetMode::Triangles));
   // The cones, the planes, and the corners of a grid with 128 cells along each side of a cube.
-  built.expectLocatorLooks<HullLocator>(
-    2 * std::size_t(built.polyhedron.triangleCount()) + 6 * 129 * 129);
+  const Polyhedron& p = built.polyhedron;
+  expectLooks(
+    [&](Monitor& monitor)
+    {
+      const HullLocator locator(
+        built.run.geometry, p.triangles.data(), p.triangleCount(), p.vertices.data(), monitor);
+    },
+    looksIn(2 * std::size_t(p.triangleCount()) + 6 * 129 * 129));
 }
 
 TEST(Polls, WhileTheTriangulationsLocatorIsMade)
 {
   const Cloud cloud = fromWeightedFamily("uniform", 20000, 92).make();
-  Built<TriangulationRun<false>> built = delaunay(cloud);
-  // The triangles three times; each place twice for its bounds, twice to sort it; and two cells.
-  built.expectLocatorLooks<LiftedLocator<false>>(
-    3 * std::size_t(built.polyhedron.triangleCount()) + 6 * cloud.size());
+  const Triangulation triangulation =
+    regularTriangulation(viewOf(cloud), WeightView(), oneThread(FacetMode::Triangles));
+  Monitor silent(Options{});
+  FanMesh mesh;
+  ASSERT_TRUE(mesh.link(triangulation, true, silent));
+  const PointSource source(viewOf(cloud), WeightView());
+  std::vector<Vertex> sites;
+  for (const std::int64_t id : triangulation.pointIds)
+  {
+    sites.push_back(source.vertex(static_cast<std::uint32_t>(id)));
+  }
+  // Each position once to copy it, twice for its bounds, twice to sort it; and two cells.
+  expectLooks([&](Monitor& monitor)
+    { const SiteLocator locator(sites.data(), mesh, true, monitor); },
+    looksIn(7 * sites.size()));
 }
 
 TEST(Polls, WhileFacetsAreJoinedAndWritten)

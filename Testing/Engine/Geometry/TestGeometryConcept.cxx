@@ -13,7 +13,6 @@
 #include "Geometry/GeometryConcept.h"
 #include "Geometry/HullGeometry.h"
 #include "Geometry/HullStart.h"
-#include "Geometry/VisibilityWalk.h"
 #include "Run/GeometryRun.h"
 #include "Run/Span.h"
 
@@ -27,13 +26,10 @@ namespace test
 namespace
 {
 
-class RationalLocator;
-
 /// Space, with signs from rationals. Only the kernel point and the ties are HullGeometry's.
 class RationalGeometry : public PredicateSteps<RationalGeometry>
 {
 public:
-  using Locator = RationalLocator;
   static constexpr bool AllExtreme = false;
   static constexpr bool BuiltByParts = true;
 
@@ -83,39 +79,6 @@ public:
     return HullGeometry::heightAbove(a, b, c, p);
   }
   static bool isWide() { return false; }
-};
-
-/// Every walk starts at triangle 0.
-class RationalLocator
-{
-public:
-  RationalLocator(const RationalGeometry&, const Triangle* triangleArray,
-    std::uint32_t triangleCount, const Vertex* vertexArray, Monitor&)
-    : triangles(triangleArray)
-    , count(triangleCount)
-    , vertices(vertexArray)
-  {
-  }
-
-  static int cellOf(const double*) { return 0; }
-  static std::uint32_t near(const Vertex&, int) { return 0; }
-  std::uint32_t locate(const RationalGeometry& geometry, const Vertex& p, std::uint32_t start) const
-  {
-    return visibilityWalk(this->triangles, NoIndex, start, this->count,
-      [&](std::uint32_t t, int entry)
-      {
-        const std::uint32_t* const v = this->triangles[t].v;
-        return firstExit(entry,
-          [&](int i) {
-            return exactSide(geometry, this->vertices[v[i]], this->vertices[v[nextCorner(i)]], p);
-          });
-      });
-  }
-
-private:
-  const Triangle* triangles;
-  std::uint32_t count;
-  const Vertex* vertices;
 };
 
 Polyhedron startingTetrahedron(
