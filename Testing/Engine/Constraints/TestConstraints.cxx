@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -251,6 +252,26 @@ TEST(Constraints, FaultsAreFound)
   more.push_back({ 0, 0, 0 });
   EXPECT_EQ(
     validate(viewOf(more), viewOf(constraints), run(kite, constraints)).fault, Fault::PointOutside);
+  // No facet has a fixed edge inside.
+  const Cloud square = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
+  ConstrainedTriangulation whole = run(square, constraints);
+  EXPECT_EQ(validate(viewOf(square), viewOf(constraints), whole).fault, Fault::None);
+  whole.cellSize = 4;
+  whole.offsets.allocate(0);
+  whole.connectivity.allocate(4);
+  std::iota(whole.connectivity.begin(), whole.connectivity.end(), std::int64_t(0));
+  EXPECT_EQ(validate(viewOf(square), viewOf(constraints), whole).fault, Fault::NotConvex);
+  // On a line, too, a fixed edge leads from a point to the next one.
+  const Cloud line = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } };
+  ConstrainedTriangulation chain = run(line, constraints);
+  EXPECT_EQ(validate(viewOf(line), viewOf(constraints), chain).fault, Fault::None);
+  for (Buffer<std::int64_t>* values :
+    { &chain.fixedEdges, &chain.constraintOf, &chain.balance, &chain.sideOf })
+  {
+    values->truncate(values->size() / 2);
+  }
+  chain.fixedEdges[1] = 2;
+  EXPECT_EQ(validate(viewOf(line), viewOf(constraints), chain).fault, Fault::NotFixed);
 }
 
 }

@@ -6,6 +6,7 @@
 #include "Testing/Engine/Conformance/Compare.h"
 #include "Testing/Engine/Inputs/Inputs.h"
 #include "Testing/Engine/Query/HullReference.h"
+#include <flipflop/Certificate.h>
 #include <flipflop/Neighbors.h>
 
 #include <atomic>
@@ -46,6 +47,11 @@ TEST(HullQueryCalls, HullsThatAreNotOfThePoints)
   Hull open = hullOf(cloud, FacetMode::Triangles);
   open.connectivity.truncate(open.connectivity.size() - 3);
   expectError([&] { HullQueries(viewOf(cloud), open); }, ErrorCode::BadArgument);
+  // No polygon is a hull of dimension 2.
+  Hull none;
+  none.dimension = 2;
+  expectError([&] { HullQueries(viewOf(cloud), none); }, ErrorCode::BadArgument, -1);
+  expectError([&] { certificate(viewOf(cloud), none); }, ErrorCode::BadArgument, -1);
   // An edge of three cells has no neighbours.
   Hull crowded;
   crowded.dimension = 3;

@@ -210,6 +210,43 @@ TEST(TriangulationQueryCalls, WhatIsNotRegular)
   }
 }
 
+/// All triangles turn left, all edges are regular, and the border is one loop that turns left: but
+/// twice around. The second time it is a little further out, or at the same positions.
+TEST(TriangulationQueryCalls, WhatWindsTwice)
+{
+  for (const double further : { 0x1p-30, 0.0 })
+  {
+    Cloud cloud = { { 0, 0, 10 } };
+    std::vector<Cell> cells;
+    for (int i = 0; i < 10; ++i)
+    {
+      const double angle = 6.283185307179586 * (i % 5) / 5;
+      const double r = i < 5 ? 1 : 1 + further;
+      cloud.push_back({ r * std::cos(angle), r * std::sin(angle), 0 });
+      cells.push_back({ 0, 1 + i, 1 + (i + 1) % 10 });
+    }
+    expectRefused(cloud, claim(cloud, 2, cells, FacetMode::Triangles));
+  }
+}
+
+/// An error names a point where something is wrong, by its id.
+TEST(TriangulationQueryCalls, WhereItIsNotOne)
+{
+  const Cloud cloud = { { 0, 0, 0 }, { 9, 9, 0 }, { 4, 0, 0 }, { 0, 3, 0 }, { 4, 3, 0 } };
+  const auto claimed = [&](const std::vector<Cell>& cells)
+  { return claim(cloud, 2, cells, FacetMode::Triangles); };
+  expectRefused(cloud, claimed({ { 0, 2, 3 }, { 2, 3, 4 } }), 0);              // no ring
+  expectRefused(cloud, claimed({ { 0, 3, 2 } }), 0);                           // turned
+  expectRefused(cloud, claimed({ { 0, 2, 3 }, { 1, 3, 4 }, { 2, 4, 3 } }), 2); // not convex
+  Triangulation none = claimed({ { 0, 2, 3 } });
+  none.connectivity.truncate(0);
+  expectRefused(cloud, none, 0); // a point in no cell
+  none.pointIds.truncate(0);
+  expectRefused(cloud, none, -1);
+  none.cellSize = 0;
+  expectRefused(cloud, none, -1);
+}
+
 }
 }
 }
