@@ -28,7 +28,7 @@ public:
     return this->rounds.scan(source, monitor);
   }
 
-  Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
+  BuildResult build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
     Statistics& statistics) override
   {
     if (task.geometry.isWide())
@@ -36,7 +36,7 @@ public:
       // Integers of any size are the host's.
       return CpuBuilder<Geometry>().build(task, std::move(start), tally, statistics);
     }
-    Polyhedron result = this->rounds.build(task, std::move(start), tally, statistics);
+    BuildResult result = this->rounds.build(task, std::move(start), tally, statistics);
     this->ran = true;
     return result;
   }

@@ -37,10 +37,10 @@ public:
   /// @param counted                the counters, with no ties
   /// @param counters               in the executor's memory
   /// @param ids                    are below this
-  /// @param range                  of the scaled coordinates
+  /// @param measure                of the scaled coordinates; null: none is wanted
   /// @return whether it could: not where a vertex that went had duplicates
   bool write(const Mesh& mesh, const std::uint32_t* lowest, const std::uint32_t* sameAs,
-    const Counters& counted, Counters* counters, std::uint32_t ids, const CoordinateRange& range,
+    const Counters& counted, Counters* counters, std::uint32_t ids, const Measure* measure,
     FinishedCells& result)
   {
     const std::uint32_t t = counted.triangles;
@@ -68,10 +68,9 @@ public:
     this->executor.each(wordCount, nullptr, CountIds{ {}, data });
     this->executor.exclusiveSum(below.data(), wordCount);
     this->executor.each(v, nullptr, RankPoints{ {}, data, wordCount - 1 });
-    const Measure measure(range, result.exponent);
-    if (result.measured)
+    if (measure)
     {
-      this->executor.each(t, nullptr, MakeMeasuredCells{ { {}, data }, measure });
+      this->executor.each(t, nullptr, MakeMeasuredCells{ { {}, data }, *measure });
     }
     else
     {
@@ -93,11 +92,10 @@ public:
     this->executor.toHostWidened(result.pointIds.data(), sorted.data(), result.pointIds.size());
     this->executor.toHostWidened(
       result.connectivity.data(), corners.data(), result.connectivity.size());
-    if (result.measured)
+    if (measure)
     {
-      this->fetchMeasures(sums, measure, result);
+      this->fetchMeasures(sums, *measure, result);
     }
-    result.written = true;
     return true;
   }
 

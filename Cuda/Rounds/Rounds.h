@@ -50,6 +50,8 @@ public:
     , range(task.range)
     , checkFinite(task.checkFinite)
     , vBiased(task.options.vBiased)
+    , measured(task.measured)
+    , scaleExponent(task.scaleExponent)
     , monitor(task.monitor)
     , observer(watcher)
     , counters(where, 1)
@@ -229,9 +231,10 @@ public:
     }
     this->monitor.stage(0.9, 1.0, 1, "finishing");
     this->executor.beginPart("finish");
+    const Measure measure(this->range, this->scaleExponent);
     CellWriter<Executor> writer(this->executor, this->keys, this->lists);
     if (!writer.write(this->mesh(), this->lowest.data(), this->sameAs.data(), counted,
-          this->counters.data(), this->source.count(), this->range, result))
+          this->counters.data(), this->source.count(), this->measured ? &measure : nullptr, result))
     {
       return false;
     }
@@ -542,6 +545,8 @@ private:
   const CoordinateRange& range;
   const bool checkFinite;
   const bool vBiased;
+  const bool measured;
+  const int scaleExponent;
   Monitor& monitor;
   const RoundObserver* const observer;
 

@@ -45,7 +45,7 @@ public:
     return seen ? sum.result() : PointScanner::scan(source, monitor);
   }
 
-  Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
+  BuildResult build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
     Statistics& statistics) override
   {
     Stopwatch watch;
@@ -60,9 +60,11 @@ public:
     tally.statistics.secondsGrow += watch.lap();
     rounds.flip();
     tally.statistics.secondsFlip += watch.lap();
-    Polyhedron result;
-    if (task.finished && rounds.finish(*task.finished, tally))
+    BuildResult result;
+    FinishedCells cells;
+    if (rounds.finish(cells, tally))
     {
+      result = std::move(cells);
       statistics.secondsFinish = watch.lap();
     }
     else

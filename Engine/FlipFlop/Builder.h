@@ -172,7 +172,7 @@ private:
     subset.exclude(corners);
     Tally tally;
     quickhull({ local, task.source, task.range, task.checkFinite, task.options, task.threads,
-                task.monitor, task.samples, nullptr, nullptr },
+                task.monitor, task.samples },
       few, subset, FewTriangles, tally);
     return HullPlanes(local, few, task.range);
   }

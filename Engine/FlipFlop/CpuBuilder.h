@@ -20,7 +20,7 @@ public:
   bool startsFromPoints() const override { return Geometry::BuiltByParts; } // by PartsBuilder
 
   /// By PartsBuilder in the plane, by Builder in space.
-  Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
+  BuildResult build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
     Statistics& statistics) override;
 };
 

@@ -19,7 +19,7 @@ namespace flipflop
 {
 
 template <class Geometry>
-Polyhedron CpuBuilder<Geometry>::build(
+BuildResult CpuBuilder<Geometry>::build(
   const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally, Statistics& statistics)
 {
   static_assert(isGeometry<Geometry>());

@@ -16,13 +16,9 @@ namespace flipflop
 
 struct FinishedCells
 {
-  bool measured = false; ///< volume and area are wanted
-  int exponent = 0;      ///< coordinates are scaled by 2^exponent
-
-  bool written = false; ///< what follows is the result
   Buffer<std::int64_t> pointIds;
   Buffer<std::int64_t> connectivity; ///< of triangles, in canonical order
-  double volume = 0;
+  double volume = 0;                 ///< where they are wanted
   double area = 0;
 };
 

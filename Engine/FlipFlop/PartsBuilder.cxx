@@ -160,8 +160,9 @@ private:
 }
 
 template <bool Weighted>
-Polyhedron PartsBuilder<Weighted>::build(const BuildTask<LiftedGeometry<Weighted>>& task,
-  Polyhedron&&, Tally& tally, Statistics& statistics)
+typename PartsBuilder<Weighted>::Result PartsBuilder<Weighted>::build(
+  const BuildTask<LiftedGeometry<Weighted>>& task, Polyhedron&&, Tally& tally,
+  Statistics& statistics)
 {
   Stopwatch watch;
   PointSubset subset;
@@ -180,7 +181,9 @@ Polyhedron PartsBuilder<Weighted>::build(const BuildTask<LiftedGeometry<Weighted
     throw Error(ErrorCode::TooManyPoints, -1, static_cast<std::int64_t>(count));
   }
   task.monitor.stage(0.2, 0.9, static_cast<std::int64_t>(count), "inserting");
-  const auto fill = [&](auto& result, const PartVertex<Weighted>& atInfinity)
+  Result result;
+  result.triangles.allocate(2 * count);
+  const auto fill = [&](const PartVertex<Weighted>& atInfinity)
   {
     result.vertices = std::move(tree.vertices);
     result.vertices[PlaneVirtual] = atInfinity;
@@ -190,9 +193,7 @@ Polyhedron PartsBuilder<Weighted>::build(const BuildTask<LiftedGeometry<Weighted
   };
   if constexpr (Weighted)
   {
-    Polyhedron result;
-    result.triangles.allocate(2 * count);
-    fill(result, virtualVertex());
+    fill(virtualVertex());
     for (const PartNode& node : tree.nodes)
     {
       if (node.left == 0)
@@ -200,17 +201,13 @@ Polyhedron PartsBuilder<Weighted>::build(const BuildTask<LiftedGeometry<Weighted
         result.pieces.push_back({ firstTriangleOf(node.begin), node.trianglesEnd });
       }
     }
-    return result;
   }
   else
   {
-    PlanePolyhedron result;
-    result.triangles.allocate(2 * count);
     result.ties.allocate(2 * count);
-    fill(result, withoutWeight(virtualVertex()));
-    *task.plane = std::move(result);
-    return Polyhedron();
+    fill(withoutWeight(virtualVertex()));
   }
+  return result;
 }
 
 template class PartsBuilder<false>;

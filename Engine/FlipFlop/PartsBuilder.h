@@ -10,6 +10,8 @@
 #include "FlipFlop/PolyhedronBuilder.h"
 #include "Geometry/LiftedGeometry.h"
 
+#include <type_traits>
+
 namespace flipflop
 {
 
@@ -18,9 +20,10 @@ template <bool Weighted>
 class PartsBuilder
 {
 public:
-  /// As PolyhedronBuilder. Of the start, nothing is used; without weights, the result is in
-  /// *task.plane.
-  static Polyhedron build(const BuildTask<LiftedGeometry<Weighted>>& task, Polyhedron&& start,
+  using Result = std::conditional_t<Weighted, Polyhedron, PlanePolyhedron>;
+
+  /// As PolyhedronBuilder. Of the start, nothing is used.
+  static Result build(const BuildTask<LiftedGeometry<Weighted>>& task, Polyhedron&& start,
     Tally& tally, Statistics& statistics);
 };
 

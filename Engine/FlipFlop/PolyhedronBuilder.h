@@ -18,6 +18,8 @@
 #include <flipflop/Options.h>
 #include <flipflop/Statistics.h>
 
+#include <variant>
+
 namespace flipflop
 {
 
@@ -34,11 +36,13 @@ struct BuildTask
   int threads;
   Monitor& monitor;
   const Samples& samples; ///< see nestedSamples()
-  /// For an engine that finishes itself; null: the hull is wanted.
-  FinishedCells* finished;
-  /// For an engine that makes triangulations in the plane alone; empty, where another has run.
-  PlanePolyhedron* plane = nullptr;
+  bool measured = false;  ///< of FinishedCells, volume and area are wanted
+  int scaleExponent = 0;  ///< coordinates are scaled by 2^scaleExponent
 };
+
+/// The hull of all points, perturbed, perhaps with gaps; or a triangulation of the plane without
+/// weights, which is the true one already; or what an engine has finished itself.
+using BuildResult = std::variant<Polyhedron, PlanePolyhedron, FinishedCells>;
 
 template <class Geometry>
 class PolyhedronBuilder : public PointScanner
@@ -49,8 +53,7 @@ public:
   virtual bool startsFromPoints() const { return false; }
 
   /// @param start a tetrahedron
-  /// @return the hull, perhaps with gaps; nothing, where *task.finished or *task.plane is written
-  virtual Polyhedron build(
+  virtual BuildResult build(
     const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally, Statistics& statistics) = 0;
 };
 

@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <variant>
 
 namespace flipflop
 {
@@ -59,23 +61,21 @@ void HullRun::computeSteps(PolyhedronBuilder<HullGeometry>& builder, Hull& hull)
   }
   Polyhedron start = startingTetrahedron(this->geometry, this->source, span.ids);
 
-  FinishedCells finished;
-  finished.measured = true;
-  finished.exponent = this->arithmetic.scaleExponent;
   Tally tally;
-  Polyhedron polyhedron =
-    builder.build(this->task(samples, &finished), std::move(start), tally, hull.statistics);
+  BuildResult built =
+    builder.build(this->task(samples, true), std::move(start), tally, hull.statistics);
   this->watch.lap();
 
-  if (!finished.written)
+  FinishedCells* const finished = std::get_if<FinishedCells>(&built);
+  if (!finished)
   {
-    this->finish(std::move(polyhedron), std::move(tally), hull);
+    this->finish(std::get<Polyhedron>(std::move(built)), std::move(tally), hull);
     return;
   }
   hull.dimension = 3;
-  this->moveCells(finished, hull);
-  hull.volume = finished.volume;
-  hull.area = finished.area;
+  hull.volume = finished->volume;
+  hull.area = finished->area;
+  this->moveCells(std::move(*finished), hull);
   this->addStatistics(tally, hull.statistics);
 }
 

@@ -26,16 +26,15 @@ public:
 
 protected:
   /// What a builder starts from.
-  /// @param finished, plane where the builder may write its result
-  BuildTask<Geometry> task(
-    const Samples& samples, FinishedCells* finished, PlanePolyhedron* plane = nullptr)
+  /// @param measured volume and area are wanted
+  BuildTask<Geometry> task(const Samples& samples, bool measured = false)
   {
     return { this->geometry, this->source, this->range, this->checkFinite, this->options,
-      this->threads, this->monitor, samples, finished, plane };
+      this->threads, this->monitor, samples, measured, this->arithmetic.scaleExponent };
   }
 
   /// Store the points and cells that the builder has finished.
-  void moveCells(FinishedCells& finished, CellComplex& result) const
+  void moveCells(FinishedCells&& finished, CellComplex& result) const
   {
     result.pointIds = std::move(finished.pointIds);
     result.connectivity = std::move(finished.connectivity);

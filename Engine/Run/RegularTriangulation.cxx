@@ -16,6 +16,8 @@
 #include "Support/Parallel.h"
 
 #include <cstdint>
+#include <utility>
+#include <variant>
 
 namespace flipflop
 {
@@ -71,22 +73,13 @@ void TriangulationRun<Weighted>::computeSteps(
   Polyhedron start =
     fromPoints ? Polyhedron() : startingTetrahedron(this->geometry, this->source, span.ids);
 
-  FinishedCells finished;
-  PlanePolyhedron plane;
   Tally tally;
-  Polyhedron polyhedron = builder.build(
-    this->task(samples, &finished, &plane), std::move(start), tally, result.statistics);
+  BuildResult built =
+    builder.build(this->task(samples), std::move(start), tally, result.statistics);
   this->watch.lap();
 
   result.dimension = 2;
-  if (!finished.written)
-  {
-    this->finish(std::move(polyhedron), std::move(plane), std::move(tally), result);
-    return;
-  }
-  this->moveCells(finished, result);
-  this->listHidden(result);
-  this->addStatistics(tally, result.statistics);
+  std::visit([&](auto& made) { this->finish(std::move(made), tally, result); }, built);
 }
 
 template <bool Weighted>
@@ -139,34 +132,36 @@ void TriangulationRun<Weighted>::finishLower(Triangulation& result)
 
 template <bool Weighted>
 void TriangulationRun<Weighted>::finish(
-  Polyhedron&& polyhedron, PlanePolyhedron&& plane, Tally&& tally, Triangulation& result)
+  Polyhedron&& polyhedron, Tally& tally, Triangulation& result)
 {
   this->monitor.stage(0.9, 1.0, 1, "finishing");
-  bool anyFlat = tally.ties > 0;
-  if constexpr (!Weighted)
+  const bool anyFlat =
+    RedundantVertices<Geometry>(this->geometry, polyhedron, tally, this->monitor).remove();
+  this->write(polyhedron, this->beforeCanonicalForm(polyhedron, tally, anyFlat), tally, result);
+}
+
+template <bool Weighted>
+void TriangulationRun<Weighted>::finish(
+  PlanePolyhedron&& plane, Tally& tally, Triangulation& result)
+{
+  this->monitor.stage(0.9, 1.0, 1, "finishing");
+  const bool anyFlat = tally.ties > 0;
+  if (!this->changesTriangulation())
   {
-    // A triangulation of the plane is the true one already.
-    if (plane.vertexCount() > 0 && !this->changesTriangulation())
-    {
-      this->write(plane, anyFlat, tally, result);
-      return;
-    }
+    this->write(plane, anyFlat, tally, result);
+    return;
   }
-  if (plane.vertexCount() > 0)
-  {
-    polyhedron = plane.full();
-    plane = PlanePolyhedron();
-  }
-  else
-  {
-    anyFlat =
-      RedundantVertices<Geometry>(this->geometry, polyhedron, tally, this->monitor).remove();
-  }
-  if (this->changesTriangulation())
-  {
-    anyFlat = this->beforeCanonicalForm(polyhedron, tally, anyFlat);
-  }
-  this->write(polyhedron, anyFlat, tally, result);
+  Polyhedron polyhedron = plane.full();
+  plane = PlanePolyhedron();
+  this->write(polyhedron, this->beforeCanonicalForm(polyhedron, tally, anyFlat), tally, result);
+}
+
+template <bool Weighted>
+void TriangulationRun<Weighted>::finish(FinishedCells&& cells, Tally& tally, Triangulation& result)
+{
+  this->moveCells(std::move(cells), result);
+  this->listHidden(result);
+  this->addStatistics(tally, result.statistics);
 }
 
 template <bool Weighted>

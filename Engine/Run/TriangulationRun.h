@@ -68,8 +68,9 @@ private:
   Span firstSpan();
 
   void finishLower(Triangulation& result);
-  void finish(
-    Polyhedron&& polyhedron, PlanePolyhedron&& plane, Tally&& tally, Triangulation& result);
+  void finish(Polyhedron&& polyhedron, Tally& tally, Triangulation& result);
+  void finish(PlanePolyhedron&& plane, Tally& tally, Triangulation& result);
+  void finish(FinishedCells&& cells, Tally& tally, Triangulation& result);
   template <class Surface>
   void write(Surface& surface, bool anyFlat, const Tally& tally, Triangulation& result);
 

@@ -22,10 +22,10 @@ class CountedRounds : public RoundsBuilder<Executor, Geometry>
 public:
   using RoundsBuilder<Executor, Geometry>::RoundsBuilder;
 
-  Polyhedron build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
+  BuildResult build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,
     Statistics& statistics) override
   {
-    Polyhedron result =
+    BuildResult result =
       RoundsBuilder<Executor, Geometry>::build(task, std::move(start), tally, statistics);
     this->counts = tally.statistics;
     return result;

@@ -113,13 +113,12 @@ struct Built
         const Span span = spanOf(this->run);
         Polyhedron start = startingTetrahedron(this->run.geometry, this->run.source, span.ids);
         Statistics statistics;
-        PlanePolyhedron plane;
-        this->polyhedron = CpuBuilder<Geometry>().build(
+        BuildResult built = CpuBuilder<Geometry>().build(
           { this->run.geometry, this->run.source, this->run.range, false, this->run.options, 1,
-            this->run.monitor, nestedSamples(this->run.source.count()), nullptr, &plane },
+            this->run.monitor, nestedSamples(this->run.source.count()) },
           std::move(start), this->tally, statistics);
-        this->polyhedron =
-          compact(plane.vertexCount() > 0 ? plane.full() : std::move(this->polyhedron));
+        const auto* const plane = std::get_if<PlanePolyhedron>(&built);
+        this->polyhedron = compact(plane ? plane->full() : std::get<Polyhedron>(std::move(built)));
       });
   }
 };

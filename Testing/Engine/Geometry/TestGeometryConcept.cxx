@@ -97,7 +97,7 @@ static_assert(isGeometry<RationalGeometry>());
 class RationalBuilder : public PolyhedronBuilder<RationalGeometry>
 {
 public:
-  Polyhedron build(const BuildTask<RationalGeometry>& task, Polyhedron&& start, Tally& tally,
+  BuildResult build(const BuildTask<RationalGeometry>& task, Polyhedron&& start, Tally& tally,
     Statistics& statistics) override
   {
     return InsertionBuilder<RationalGeometry>::build(task, std::move(start), tally, statistics);
@@ -125,8 +125,8 @@ public:
     ASSERT_EQ(span.dimension, 3);
     Polyhedron start = startingTetrahedron(this->geometry, this->source, span.ids);
     Tally tally;
-    Polyhedron polyhedron = RationalBuilder().build(
-      this->task(samples, nullptr), std::move(start), tally, hull.statistics);
+    Polyhedron polyhedron = std::get<Polyhedron>(
+      RationalBuilder().build(this->task(samples), std::move(start), tally, hull.statistics));
     hull.dimension = 3;
     const bool anyFlat =
       RedundantVertices<RationalGeometry>(this->geometry, polyhedron, tally, this->monitor)
