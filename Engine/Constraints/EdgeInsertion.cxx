@@ -191,20 +191,10 @@ void EdgeInsertion::fix(std::uint32_t h)
   {
     this->mesh.triangles[triangleOf(side)].flags |= EdgeFixed << cornerOf(side);
   }
-  this->setFlat(h, false);
+  this->mesh.setFlat(h, false);
   // The next constraint often goes on here.
   this->leaving[this->mesh.origin(h)].store(h, std::memory_order_relaxed);
   this->leaving[this->mesh.origin(twin)].store(twin, std::memory_order_relaxed);
-}
-
-void EdgeInsertion::setFlat(std::uint32_t h, bool flat)
-{
-  for (const std::uint32_t side : { h, this->mesh.twin(h) })
-  {
-    std::uint32_t& bits = this->mesh.triangles[triangleOf(side)].flatEdges;
-    const std::uint32_t bit = 1u << cornerOf(side);
-    bits = flat ? bits | bit : bits & ~bit;
-  }
 }
 
 /// Flip in the cavity. Its sides, though tested, stay.
@@ -239,7 +229,7 @@ void EdgeInsertion::makeDelaunay()
   }
 }
 
-bool EdgeInsertion::isFlat(std::uint32_t h) const
+bool EdgeInsertion::isCocircular(std::uint32_t h) const
 {
   const Triangle& triangle = this->mesh.triangles[triangleOf(h)];
   const std::uint32_t apex = this->mesh.origin(previousHalfEdge(this->mesh.twin(h)));
@@ -258,8 +248,8 @@ bool EdgeInsertion::markFlatEdges()
     this->poll.step();
     for (int e = 0; e < 3; ++e)
     {
-      const bool flat = this->isFlat(halfEdge(t, e));
-      this->setFlat(halfEdge(t, e), flat);
+      const bool flat = this->isCocircular(halfEdge(t, e));
+      this->mesh.setFlat(halfEdge(t, e), flat);
       any = any || flat;
     }
   }

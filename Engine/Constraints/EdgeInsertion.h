@@ -79,9 +79,8 @@ private:
   bool isAgain(std::uint32_t u, std::uint32_t v, const SidesAlong& sides);
   bool hasSmallerStar(std::uint32_t v, std::uint32_t u);
   void fix(std::uint32_t h);
-  void setFlat(std::uint32_t h, bool flat);
   void makeDelaunay();
-  bool isFlat(std::uint32_t h) const;
+  bool isCocircular(std::uint32_t h) const;
   /// Of the fixed edges, after joinRecords.
   std::uint32_t firstAlong(std::uint32_t h) const;
 

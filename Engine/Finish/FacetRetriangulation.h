@@ -232,7 +232,7 @@ private:
     for (int e = 0; e < 3; ++e)
     {
       const std::uint32_t h = halfEdge(t, e);
-      if (!isFlat(this->mesh.triangles, h))
+      if (!this->mesh.isFlat(h))
       {
         continue;
       }
@@ -282,7 +282,7 @@ private:
   /// Does the facet end at this edge of one of its triangles?
   bool isOnBorder(std::uint32_t h) const
   {
-    if (!isFlat(this->mesh.triangles, h))
+    if (!this->mesh.isFlat(h))
     {
       return true;
     }

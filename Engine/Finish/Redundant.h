@@ -47,17 +47,16 @@ public:
     {
       return false;
     }
-    const FlatEdges flat = this->findFlat();
-    if (!flat.any)
+    const Found found = this->findFlat();
+    if (found.flat.empty())
     {
       return false;
     }
-    this->markFlat(flat);
     this->judged.resize(this->polyhedron.vertexCount());
-    this->labelDuplicates(flat.withoutLength);
+    this->labelDuplicates(found.withoutLength);
     if (!Geometry::AllExtreme)
     {
-      this->labelNotStrictlyExtreme(flat.found);
+      this->labelNotStrictlyExtreme(found.flat);
     }
     if (this->redundant.empty())
     {
@@ -139,31 +138,22 @@ private:
     int count = 0;
   };
 
-  /// Edges whose two triangles are exactly coplanar.
-  struct FlatEdges
+  /// Half-edges that the search for flat edges comes upon.
+  struct Found
   {
-    bool any = false;
-    std::vector<std::uint32_t> found; ///< one half-edge of each; none where all points are extreme
-    /// Half-edges between vertices of one position, from one side or both, some more than once.
+    std::vector<std::uint32_t> flat;   ///< one of each flat edge
+    std::vector<std::uint32_t> across; ///< of these: its triangles are in two pieces
+    /// Between vertices of one position, from one side or both, some more than once.
     std::vector<std::uint32_t> withoutLength;
   };
 
-  /// use(e) for each edge that the flags mark.
-  template <class Use>
-  static void eachTiedEdge(std::uint32_t flags, Use&& use)
+  /// Find and mark the edges whose two triangles are exactly coplanar, and all of triangles without
+  /// area. Each is tested on its lower side. A piece's task marks those within the piece.
+  Found findFlat()
   {
-    for (std::uint32_t remaining = flags & EdgesTied; remaining != 0; remaining &= remaining - 1)
-    {
-      use(remaining & EdgeTied ? 0 : remaining & EdgeTied << 1 ? 1 : 2);
-    }
-  }
-
-  /// Examine all edges. The mark EdgeTied shows then on the lower side of each edge whether it is
-  /// flat; edges of triangles without area may be missed.
-  FlatEdges findFlat()
-  {
+    const Mesh mesh = this->polyhedron.mesh();
     const std::size_t pieceCount = this->polyhedron.pieces.size();
-    std::vector<FlatEdges> parts(pieceCount);
+    std::vector<Found> parts(pieceCount);
     std::vector<Geometry> local(pieceCount, this->geometry);
     this->polyhedron.eachTriangle(
       [&](std::uint32_t t, std::size_t piece)
@@ -172,62 +162,78 @@ private:
         {
           this->monitor.poll();
         }
-        std::uint32_t& flags = this->polyhedron.triangles[t].flags;
-        flags |= EdgesTied;
-        eachTiedEdge(flags,
-          [&](int e)
+        for (int e = 0; e < 3; ++e)
+        {
+          const std::uint32_t h = halfEdge(t, e);
+          const std::uint32_t twin = mesh.twin(h);
+          if (h < twin && isCoplanar(local[piece], mesh, h))
           {
-            if (!this->isFlat(local[piece], halfEdge(t, e), parts[piece]))
-            {
-              flags &= ~(EdgeTied << e);
-            }
-          });
+            const bool isWithin = triangleOf(twin) < this->polyhedron.pieceEnd(piece);
+            addFlat(mesh, h, isWithin, parts[piece]);
+          }
+        }
       });
-    FlatEdges flat;
+    Found all;
+    const auto append = [](const std::vector<std::uint32_t>& part, std::vector<std::uint32_t>& to)
+    { to.insert(to.end(), part.begin(), part.end()); };
     for (std::size_t piece = 0; piece < pieceCount; ++piece)
     {
-      const FlatEdges& part = parts[piece];
-      flat.any = flat.any || part.any;
-      flat.found.insert(flat.found.end(), part.found.begin(), part.found.end());
-      flat.withoutLength.insert(
-        flat.withoutLength.end(), part.withoutLength.begin(), part.withoutLength.end());
+      append(parts[piece].flat, all.flat);
+      append(parts[piece].across, all.across);
+      append(parts[piece].withoutLength, all.withoutLength);
       this->tally.addPredicates(local[piece], this->geometry);
     }
-    return flat;
+    StepPoll poll(this->monitor);
+    for (const std::uint32_t h : all.across)
+    {
+      poll.step();
+      mesh.setFlat(h);
+    }
+    for (const std::uint32_t side : all.withoutLength)
+    {
+      poll.step();
+      for (const std::uint32_t strip : { triangleOf(side), triangleOf(mesh.twin(side)) })
+      {
+        for (int e = 0; e < 3; ++e)
+        {
+          mesh.setFlat(halfEdge(strip, e));
+        }
+      }
+    }
+    return all;
   }
 
-  /// Is the edge of a half-edge flat? Tested on its lower side; on the other, it is left open.
-  bool isFlat(const Geometry& local, std::uint32_t h, FlatEdges& part) const
+  /// Is the apex on the other side of h in the plane of its triangle?
+  static bool isCoplanar(const Geometry& geometry, const Mesh& mesh, std::uint32_t h)
   {
-    const Polyhedron& surface = this->polyhedron;
-    const Triangle& triangle = surface.triangles[triangleOf(h)];
-    const std::uint32_t twin = triangle.twin[cornerOf(h)];
-    if (twin < h)
+    const std::uint32_t* const corner = mesh.triangles[triangleOf(h)].v;
+    const std::uint32_t apex = mesh.origin(previousHalfEdge(mesh.twin(h)));
+    return geometry.above(mesh.vertices[corner[0]], mesh.vertices[corner[1]],
+             mesh.vertices[corner[2]], mesh.vertices[apex]) == 0;
+  }
+
+  static void addFlat(const Mesh& mesh, std::uint32_t h, bool isWithin, Found& part)
+  {
+    part.flat.push_back(h);
+    if (isWithin)
     {
-      return true;
+      mesh.setFlat(h);
     }
-    const Triangle& other = surface.triangles[triangleOf(twin)];
-    const Vertex* const v = surface.vertices.data();
-    if (local.above(v[triangle.v[0]], v[triangle.v[1]], v[triangle.v[2]],
-          v[other.v[previousCorner(cornerOf(twin))]]) != 0)
+    else
     {
-      return false;
+      part.across.push_back(h);
     }
-    part.any = true;
-    if (!Geometry::AllExtreme)
-    {
-      part.found.push_back(h);
-    }
+    const std::uint32_t twin = mesh.twin(h);
     for (const std::uint32_t side :
       { h, nextHalfEdge(h), previousHalfEdge(h), nextHalfEdge(twin), previousHalfEdge(twin) })
     {
-      const std::uint32_t* const corner = surface.triangles[triangleOf(side)].v;
-      if (samePosition(v[corner[cornerOf(side)]], v[corner[nextCorner(cornerOf(side))]]))
+      const std::uint32_t* const corner = mesh.triangles[triangleOf(side)].v;
+      if (samePosition(mesh.vertices[corner[cornerOf(side)]],
+            mesh.vertices[corner[nextCorner(cornerOf(side))]]))
       {
         part.withoutLength.push_back(side);
       }
     }
-    return true;
   }
 
   /// Vertices at a strictly extreme position are connected by edges without length, which are flat.
@@ -328,43 +334,6 @@ private:
     }
   }
 
-  /// Set Triangle::flatEdges, by the marks on the lower side of each edge.
-  void markFlat(const FlatEdges& flat)
-  {
-    const Mesh mesh = this->polyhedron.mesh();
-    this->polyhedron.eachTriangle(
-      [&](std::uint32_t t, std::size_t)
-      {
-        if ((t & 0xFFF) == 0)
-        {
-          this->monitor.poll();
-        }
-        Triangle& triangle = mesh.triangles[t];
-        eachTiedEdge(triangle.flags,
-          [&](int e)
-          {
-            const std::uint32_t h = std::min(halfEdge(t, e), triangle.twin[e]);
-            triangle.flatEdges |=
-              (mesh.triangles[triangleOf(h)].flags / EdgeTied >> cornerOf(h) & 1) << e;
-          });
-      });
-    // A triangle without area is flat to all sides.
-    StepPoll poll(this->monitor);
-    for (const std::uint32_t side : flat.withoutLength)
-    {
-      poll.step();
-      for (const std::uint32_t strip : { triangleOf(side), triangleOf(mesh.twin(side)) })
-      {
-        for (int e = 0; e < 3; ++e)
-        {
-          const std::uint32_t twin = mesh.triangles[strip].twin[e];
-          mesh.triangles[strip].flatEdges |= 1u << e;
-          mesh.triangles[triangleOf(twin)].flatEdges |= 1u << cornerOf(twin);
-        }
-      }
-    }
-  }
-
   /// isStrictlyExtreme by the marks of flat edges: where all triangles have an area, the plane
   /// changes at every other edge.
   static bool hasSharpEdges(const Geometry& geometry, const Mesh& mesh, std::uint32_t h)
@@ -379,7 +348,7 @@ private:
       {
         return isStrictlyExtreme(geometry, mesh, h);
       }
-      sharp += flipflop::isFlat(mesh.triangles, spoke) ? 0 : 1;
+      sharp += mesh.isFlat(spoke) ? 0 : 1;
       spoke = mesh.twin(previousHalfEdge(spoke));
     } while (spoke != h);
     return sharp >= 3;

@@ -18,6 +18,7 @@
 #include "Support/HostDevice.h"
 
 #include <cstdint>
+#include <initializer_list>
 
 namespace flipflop
 {
@@ -67,12 +68,6 @@ FF_HD constexpr std::uint32_t nextHalfEdge(std::uint32_t h)
 FF_HD constexpr std::uint32_t previousHalfEdge(std::uint32_t h)
 {
   return (h & 3) == 0 ? h + 2 : h - 1;
-}
-
-/// In the finish: is the edge of h exactly flat?
-inline bool isFlat(const Triangle* triangles, std::uint32_t h)
-{
-  return (triangles[triangleOf(h)].flatEdges >> cornerOf(h) & 1) != 0;
 }
 
 inline void setTwin(Triangle* triangles, std::uint32_t h, std::uint32_t twin)
@@ -131,6 +126,23 @@ struct Mesh
   {
     return (this->triangles[triangleOf(h)].flags >> cornerOf(h) & EdgeFixed) != 0;
   }
+
+  ///@{
+  /// In the finish: is the edge of h exactly flat? Marked on both sides.
+  bool isFlat(std::uint32_t h) const
+  {
+    return (this->triangles[triangleOf(h)].flatEdges >> cornerOf(h) & 1) != 0;
+  }
+  void setFlat(std::uint32_t h, bool flat = true) const
+  {
+    for (const std::uint32_t side : { h, this->twin(h) })
+    {
+      std::uint32_t& edges = this->triangles[triangleOf(side)].flatEdges;
+      const std::uint32_t edge = 1u << cornerOf(side);
+      edges = flat ? edges | edge : edges & ~edge;
+    }
+  }
+  ///@}
 
   /// Make h and other (a half-edge or a border slot) each other's opposite.
   FF_INLINE void link(std::uint32_t h, std::uint32_t other) const
