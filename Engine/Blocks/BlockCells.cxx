@@ -7,59 +7,34 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 namespace flipflop
 {
 
-void BlockCells::add(const std::vector<SiteHandle>& cell)
+void CellList::add(const std::vector<SiteHandle>& cell)
 {
+  if (cell.size() != 3 && this->sizes.empty())
+  {
+    this->sizes.assign(this->corners.size() / 3, 3);
+  }
+  if (cell.size() != 3 || !this->sizes.empty())
+  {
+    this->sizes.push_back(static_cast<std::uint32_t>(cell.size()));
+  }
   this->corners.insert(this->corners.end(), cell.begin(), cell.end());
-  this->ends.push_back(this->corners.size());
-}
-
-void BlockCells::save(MessageWriter& writer) const
-{
-  const std::size_t begin = this->restored > 0 ? this->ends[this->restored - 1] : 0;
-  std::vector<std::uint32_t> sizes;
-  for (std::size_t cell = this->restored; cell < this->ends.size(); ++cell)
-  {
-    sizes.push_back(
-      static_cast<std::uint32_t>(this->ends[cell] - (cell > 0 ? this->ends[cell - 1] : 0)));
-  }
-  // Most cells of most blocks are triangles.
-  const bool areTriangles =
-    std::all_of(sizes.begin(), sizes.end(), [](std::uint32_t size) { return size == 3; });
-  writer.add(areTriangles ? sizes.size() : 0);
-  writer.addAll(areTriangles ? std::vector<std::uint32_t>() : sizes);
-  writer.addAll(std::vector<SiteHandle>(
-    this->corners.begin() + static_cast<std::ptrdiff_t>(begin), this->corners.end()));
-}
-
-void BlockCells::restore(MessageReader& reader)
-{
-  const auto triangles = reader.read<std::size_t>();
-  auto sizes = reader.readAll<std::uint32_t>();
-  const auto all = reader.readAll<SiteHandle>();
-  if (triangles > 0)
-  {
-    sizes.assign(triangles, 3);
-  }
-  for (const std::uint32_t size : sizes)
-  {
-    this->ends.push_back((this->ends.empty() ? 0 : this->ends.back()) + size);
-  }
-  this->corners.insert(this->corners.end(), all.begin(), all.end());
-  ensure(this->corners.size() == (this->ends.empty() ? 0 : this->ends.back()));
-  this->restored = this->ends.size();
 }
 
 /// The block's own points are in order by their ranks; the others are few.
 std::vector<SiteHandle> BlockCells::usedById(const ReceivedSites& known) const
 {
   std::vector<std::uint8_t> isUsed(known.size(), 0);
-  for (const SiteHandle handle : this->corners)
+  for (const CellList& list : this->lists)
   {
-    isUsed[handle] = 1;
+    for (const SiteHandle handle : list.corners)
+    {
+      isUsed[handle] = 1;
+    }
   }
   std::vector<SiteHandle> byRank(known.ownCount(), NoIndex);
   std::vector<SiteHandle> foreign;
@@ -113,31 +88,28 @@ void BlockCells::writeConnectivity(
 {
   // Each cell from its lowest corner on, in the order of the first two corners.
   std::vector<std::uint32_t> indices;
-  indices.reserve(this->corners.size());
+  std::vector<std::size_t> begins;
   CellSort sort(points, 1);
-  const auto eachCell = [this](const auto& use)
+  for (const CellList& list : this->lists)
   {
-    for (std::size_t cell = 0; cell < this->ends.size(); ++cell)
-    {
-      use(static_cast<std::uint32_t>(cell), cell ? this->ends[cell - 1] : 0, this->ends[cell]);
-    }
-  };
-  eachCell(
-    [&](std::uint32_t, std::size_t begin, std::size_t end)
-    {
-      for (std::size_t k = begin; k < end; ++k)
+    list.each(
+      [&](const SiteHandle* corners, std::size_t size)
       {
-        indices.push_back(indexOf[this->corners[k]]);
-      }
-      const auto first = indices.begin() + static_cast<std::ptrdiff_t>(begin);
-      std::rotate(first, std::min_element(first, indices.end()), indices.end());
-      sort.count(0, *first);
-    });
+        begins.push_back(indices.size());
+        std::transform(corners, corners + size, std::back_inserter(indices),
+          [&](SiteHandle handle) { return indexOf[handle]; });
+        const auto first = indices.end() - static_cast<std::ptrdiff_t>(size);
+        std::rotate(first, std::min_element(first, indices.end()), indices.end());
+        sort.count(0, *first);
+      });
+  }
+  begins.push_back(indices.size());
   sort.endCounting(Buffer<Cell>());
-  eachCell(
-    [&](std::uint32_t cell, std::size_t begin, std::size_t end) {
-      sort.put(0, { { indices[begin], indices[begin + 1 < end ? begin + 1 : begin], cell } });
-    });
+  for (std::size_t cell = 0; cell + 1 < begins.size(); ++cell)
+  {
+    const std::size_t second = std::min(begins[cell] + 1, begins[cell + 1] - 1);
+    sort.put(0, { { indices[begins[cell]], indices[second], static_cast<std::uint32_t>(cell) } });
+  }
   const Buffer<Cell> order = sort.sort();
 
   // Fewest corners that a cell can have: if all have no more, no offsets say where they begin.
@@ -154,7 +126,7 @@ void BlockCells::writeConnectivity(
       cells.offsets[i] = static_cast<std::int64_t>(to);
     }
     const std::uint32_t cell = order[i].corner[2];
-    for (std::size_t k = cell ? this->ends[cell - 1] : 0; k < this->ends[cell]; ++k)
+    for (std::size_t k = begins[cell]; k < begins[cell + 1]; ++k)
     {
       cells.connectivity[to++] = indices[k];
     }

@@ -23,6 +23,7 @@
 #include "Blocks/BlockReplies.h"
 #include "Blocks/BlockSite.h"
 #include "Blocks/BlockSummary.h"
+#include "Blocks/MessageArchive.h"
 #include "Blocks/OpenFacets.h"
 #include "Blocks/OwnSites.h"
 #include "Blocks/ReceivedSites.h"
@@ -34,7 +35,7 @@
 #include <cstddef>
 #include <iterator>
 #include <numeric>
-#include <set>
+#include <optional>
 #include <utility>
 
 namespace flipflop
@@ -60,14 +61,14 @@ class BlockRun::State
 {
 public:
   State(BlockShape ofShape, const BlockPoints& points, const Options& chosen);
-  State(MessageReader& points, const std::vector<BlockMessage>& saved, const Options& chosen,
-    const std::shared_ptr<const BlockFrame>& ofAll);
+  State(const BlockMessage& points, const std::vector<BlockMessage>& saved, const Options& chosen,
+    const BlockSummaries& ofAll);
 
-  BlockMessage savePoints() const;
-  BlockMessage save() const;
+  BlockMessage savePoints() const { return this->saved(visitPoints<const State, MessageWriter>); }
+  BlockMessage save() const { return this->saved(visitRounds<const State, MessageWriter>); }
   BlockMessage summary() const { return this->own.message(); }
-  void begin(const std::vector<BlockMessage>& summaries, int number);
-  void begin(std::shared_ptr<const BlockFrame> ofAll, int number);
+  void begin(const std::vector<BlockMessage>& summaries, int ofBlock);
+  void begin(std::shared_ptr<const BlockFrame> ofAll, int ofBlock);
   std::map<int, BlockMessage> makeQueries();
   BlockMessage reply(const BlockMessage& queries);
   void receive(int from, const BlockMessage& replies);
@@ -77,38 +78,75 @@ public:
   std::int64_t pointsReceived() const { return this->known.foreignCount(); }
 
 private:
-  void restore(MessageReader& reader);
+  /// What there is to do before the next queries are made.
+  enum class Step
+  {
+    Begin,
+    None,          ///< no points, or all cells are found, or another block has the one facet
+    FindConflicts, ///< query for points in conflict with facets; triangulate what has come
+    QueryCorners,  ///< of the one facet
+    MakeFacet      ///< all its corners are here
+  };
+
+  /// What is the same after each round.
+  template <class Self, class Archive>
+  static void visitPoints(Self& self, Archive& archive)
+  {
+    std::vector<BlockSite> first = self.known.first();
+    archive(self.shape, self.ownCount, self.own, self.number, first, self.visible);
+    if constexpr (Archive::IsReader)
+    {
+      self.known = ReceivedSites(std::move(first), self.number);
+    }
+  }
+
+  /// What rounds change. The cells come first.
+  template <class Self, class Archive>
+  static void visitRounds(Self& self, Archive& archive)
+  {
+    std::vector<BlockSite> added = self.known.added();
+    archive(self.cells, added, self.arrived, self.round, self.statistics, self.step);
+    if constexpr (Archive::IsReader)
+    {
+      for (const BlockSite& site : added)
+      {
+        self.known.add(site);
+      }
+      self.makeFacets();
+    }
+    if (self.facets)
+    {
+      archive(*self.facets);
+    }
+  }
+
+  BlockMessage saved(void (*visit)(const State&, MessageWriter&)) const;
+  void makeFacets();
   CellComplex run(const std::vector<BlockSite>& sites, const Options& choices);
   CellComplex runOn(std::vector<SiteHandle>& members);
-  std::map<int, BlockMessage> gather();
+  std::map<int, BlockMessage> conflictQueries();
+  std::map<int, BlockMessage> cornerQueries() const;
+  void makeOneFacet();
   const BlockReach& reachOfOthers();
   const BlockReplies& repliesOfVisible();
 
-  const BlockShape shape;
+  BlockShape shape{};
   const Options options;
   std::vector<BlockSite> ownSites; ///< until the run begins
-  const std::int64_t ownCount;
-  const BlockSummary own;
-  int self = -1; ///< before the run begins
+  std::int64_t ownCount = 0;
+  BlockSummary own;
+  Step step = Step::Begin;
+  int number = -1; ///< of the block
   std::shared_ptr<const BlockFrame> frame = std::make_shared<const BlockFrame>();
   ReceivedSites known;
-  SiteHandle knownAtFirst = 0; ///< when the run began
   BlockCells cells;
-  std::unique_ptr<BlockReach> reach;     ///< from its first use on
-  std::unique_ptr<OpenFacets> facets;    ///< null: there are no queries
+  std::optional<OpenFacets> facets;      ///< to find conflicts with
   std::vector<SiteHandle> visible;       ///< points that others may request
-  std::unique_ptr<BlockReplies> replies; ///< of these, from the first request on
   std::vector<SiteHandle> arrived;       ///< since the last run
+  std::unique_ptr<BlockReach> reach;     ///< from its first use on
+  std::unique_ptr<BlockReplies> replies; ///< of what is visible, from the first request on
   int round = 0;
   Statistics statistics;
-
-  enum class Gathering
-  {
-    None,
-    ToQuery,
-    Queried
-  };
-  Gathering gathering = Gathering::None;
 };
 
 BlockRun::State::State(BlockShape ofShape, const BlockPoints& points, const Options& chosen)
@@ -120,15 +158,14 @@ BlockRun::State::State(BlockShape ofShape, const BlockPoints& points, const Opti
 {
 }
 
-BlockRun::State::State(MessageReader& points, const std::vector<BlockMessage>& saved,
-  const Options& chosen, const std::shared_ptr<const BlockFrame>& ofAll)
-  : shape(points.read<BlockShape>())
-  , options(chosen)
-  , ownCount(points.read<std::int64_t>())
-  , own(points.readAll<char>())
-  , self(points.read<int>())
+BlockRun::State::State(const BlockMessage& points, const std::vector<BlockMessage>& saved,
+  const Options& chosen, const BlockSummaries& ofAll)
+  : options(chosen)
 {
-  if (!ofAll || ofAll->shape != this->shape || ofAll->blocks <= this->self)
+  MessageReader ofPoints = hashedBytes(points);
+  visitPoints(*this, ofPoints);
+  ensure(ofPoints.atEnd());
+  if (!ofAll.frame || ofAll.frame->shape != this->shape || ofAll.frame->blocks <= this->number)
   {
     throw badArgument("a saved block needs the summaries of all blocks");
   }
@@ -136,88 +173,50 @@ BlockRun::State::State(MessageReader& points, const std::vector<BlockMessage>& s
   {
     throw badArgument("a saved block is its points and what save() gave, once or more often");
   }
-  this->frame = ofAll;
-  this->known = ReceivedSites(points.readAll<BlockSite>(), this->self);
-  this->knownAtFirst = this->known.size();
-  this->visible = points.readAll<SiteHandle>();
-  ensure(points.atEnd());
+  this->frame = ofAll.frame;
   for (const BlockMessage& message : saved)
   {
-    MessageReader reader(message);
-    reader.checkHash();
-    this->cells.restore(reader);
-    if (&message == &saved.back())
+    MessageReader reader = hashedBytes(message);
+    if (&message != &saved.back())
     {
-      this->restore(reader);
-      ensure(reader.atEnd());
+      reader(this->cells);
+      continue;
     }
+    visitRounds(*this, reader);
+    ensure(reader.atEnd());
   }
 }
 
-/// What is the same after each round.
-BlockMessage BlockRun::State::savePoints() const
+BlockMessage BlockRun::State::saved(void (*visit)(const State&, MessageWriter&)) const
 {
-  if (this->self < 0)
+  if (this->step == Step::Begin)
   {
     throw badArgument("a block can be saved after begin()");
   }
   MessageWriter writer;
-  writer.add(this->shape);
-  writer.add(this->ownCount);
-  writer.addAll(this->own.message());
-  writer.add(this->self);
-  writer.addAll(this->known.from(0, this->knownAtFirst));
-  writer.addAll(this->visible);
-  writer.addHash();
-  return std::move(writer.message);
+  visit(*this, writer);
+  return withHash(std::move(writer.message));
 }
 
-BlockMessage BlockRun::State::save() const
+void BlockRun::State::makeFacets()
 {
-  MessageWriter writer;
-  this->cells.save(writer);
-  writer.addAll(this->known.from(this->knownAtFirst, this->known.size()));
-  writer.addAll(this->arrived);
-  writer.add(this->round);
-  writer.add(this->statistics);
-  writer.add(this->gathering);
-  writer.add(this->facets != nullptr);
-  if (this->facets)
+  if (this->step == Step::FindConflicts)
   {
-    this->facets->save(writer);
-  }
-  writer.addHash();
-  return std::move(writer.message);
-}
-
-void BlockRun::State::restore(MessageReader& reader)
-{
-  for (const BlockSite& site : reader.readAll<BlockSite>())
-  {
-    this->known.add(site);
-  }
-  this->arrived = reader.readAll<SiteHandle>();
-  this->round = reader.read<int>();
-  this->statistics = reader.read<Statistics>();
-  this->gathering = reader.read<Gathering>();
-  if (reader.read<bool>())
-  {
-    this->facets =
-      std::make_unique<OpenFacets>(*this->frame, this->options, this->known, this->cells);
-    this->facets->restore(reader, this->knownAtFirst);
+    this->facets.emplace(*this->frame, this->options, this->known, this->cells);
   }
 }
 
-void BlockRun::State::begin(const std::vector<BlockMessage>& summaries, int number)
+void BlockRun::State::begin(const std::vector<BlockMessage>& summaries, int ofBlock)
 {
-  this->begin(std::make_shared<const BlockFrame>(this->shape, summaries, this->options), number);
+  this->begin(std::make_shared<const BlockFrame>(this->shape, summaries, this->options), ofBlock);
 }
 
-void BlockRun::State::begin(std::shared_ptr<const BlockFrame> ofAll, int number)
+void BlockRun::State::begin(std::shared_ptr<const BlockFrame> ofAll, int ofBlock)
 {
-  ensure(ofAll && ofAll->shape == this->shape && number >= 0 && number < ofAll->blocks);
-  this->self = number;
+  ensure(ofAll && ofAll->shape == this->shape && ofBlock >= 0 && ofBlock < ofAll->blocks);
+  this->number = ofBlock;
   this->frame = std::move(ofAll);
+  this->step = Step::None;
   if (this->ownCount == 0)
   {
     return;
@@ -225,18 +224,17 @@ void BlockRun::State::begin(std::shared_ptr<const BlockFrame> ofAll, int number)
   std::vector<BlockSite> all = std::move(this->ownSites);
   for (BlockSite& site : all)
   {
-    site.block = this->self;
+    site.block = this->number;
     this->frame->scale(site.x);
     ensure(this->frame->holds(site.x));
   }
   std::copy_if(this->frame->sample.begin(), this->frame->sample.end(), std::back_inserter(all),
-    [this](const BlockSite& site) { return site.block != this->self; });
+    [this](const BlockSite& site) { return site.block != this->number; });
   if (this->frame->isLifted() && this->frame->dimension == 1)
   {
     all.push_back(this->frame->pointOffLine());
   }
-  this->known = ReceivedSites(std::move(all), this->self);
-  this->knownAtFirst = this->known.size();
+  this->known = ReceivedSites(std::move(all), this->number);
   const CellComplex complex = this->run(this->known.all(), this->options);
 
   // Others may request the points that appear, and that not all have.
@@ -252,12 +250,12 @@ void BlockRun::State::begin(std::shared_ptr<const BlockFrame> ofAll, int number)
   }
   if (this->frame->isOneFacet())
   {
-    const bool hasLowest = this->frame->sample.front().block == this->self;
-    this->gathering = hasLowest ? Gathering::ToQuery : Gathering::None;
+    const bool hasLowest = this->frame->sample.front().block == this->number;
+    this->step = hasLowest ? Step::QueryCorners : Step::None;
     return;
   }
-  this->facets =
-    std::make_unique<OpenFacets>(*this->frame, this->options, this->known, this->cells);
+  this->step = Step::FindConflicts;
+  this->makeFacets();
   this->facets->begin(complex, this->reachOfOthers());
 }
 
@@ -269,7 +267,7 @@ const BlockReach& BlockRun::State::reachOfOthers()
       [&](Monitor& monitor)
       {
         this->reach = std::make_unique<BlockReach>(
-          this->frame->patches, this->self, this->frame->isLifted(), monitor);
+          this->frame->patches, this->number, this->frame->isLifted(), monitor);
       });
   }
   return *this->reach;
@@ -298,15 +296,29 @@ CellComplex BlockRun::State::runOn(std::vector<SiteHandle>& members)
 
 std::map<int, BlockMessage> BlockRun::State::makeQueries()
 {
-  std::map<int, BlockMessage> messages;
-  if (this->gathering != Gathering::None)
+  if (this->step == Step::FindConflicts)
   {
-    return this->gather();
+    return this->conflictQueries();
   }
-  if (!this->facets)
+  if (this->step == Step::QueryCorners)
   {
-    return messages;
+    this->step = Step::MakeFacet;
+    std::map<int, BlockMessage> messages = this->cornerQueries();
+    if (!messages.empty())
+    {
+      return messages;
+    }
   }
+  if (this->step == Step::MakeFacet)
+  {
+    this->step = Step::None;
+    this->makeOneFacet();
+  }
+  return {};
+}
+
+std::map<int, BlockMessage> BlockRun::State::conflictQueries()
+{
   if (!this->arrived.empty())
   {
     std::vector<SiteHandle> members = this->facets->members();
@@ -336,41 +348,29 @@ std::map<int, BlockMessage> BlockRun::State::makeQueries()
         queries[facet.reach[facet.queried]].push_back(query);
       }
     });
+  std::map<int, BlockMessage> messages;
   for (const auto& [block, list] : queries)
   {
-    MessageWriter writer;
-    writer.add(Request::Conflicts);
-    writer.addAll(list);
-    messages.emplace(block, std::move(writer.message));
+    messages.emplace(block, toBytes(Request::Conflicts, list));
   }
   return messages;
 }
 
-/// First, queries for all corners; then make the one facet of them.
-std::map<int, BlockMessage> BlockRun::State::gather()
+std::map<int, BlockMessage> BlockRun::State::cornerQueries() const
 {
   std::map<int, BlockMessage> messages;
-  if (this->gathering == Gathering::ToQuery)
+  for (const BlockSite& site : this->frame->sample)
   {
-    this->gathering = Gathering::Queried;
-    std::set<int> others;
-    for (const BlockSite& site : this->frame->sample)
+    if (site.block != this->number)
     {
-      others.insert(static_cast<int>(site.block));
-    }
-    others.erase(this->self);
-    MessageWriter writer;
-    writer.add(Request::All);
-    for (const int block : others)
-    {
-      messages.emplace(block, writer.message);
-    }
-    if (!messages.empty())
-    {
-      return messages;
+      messages.emplace(site.block, toBytes(Request::All));
     }
   }
-  this->gathering = Gathering::None;
+  return messages;
+}
+
+void BlockRun::State::makeOneFacet()
+{
   std::vector<SiteHandle> members(this->known.size());
   std::iota(members.begin(), members.end(), SiteHandle(0));
   const CellComplex complex = this->runOn(members);
@@ -380,7 +380,6 @@ std::map<int, BlockMessage> BlockRun::State::gather()
     cornersOf(complex, cell, members, corners);
     this->cells.add(corners);
   }
-  return messages;
 }
 
 const BlockReplies& BlockRun::State::repliesOfVisible()
@@ -401,45 +400,41 @@ const BlockReplies& BlockRun::State::repliesOfVisible()
 BlockMessage BlockRun::State::reply(const BlockMessage& message)
 {
   MessageReader reader(message);
-  const auto request = reader.read<Request>();
+  Request request;
+  reader(request);
   ensure(this->known.size() > 0 && (request == Request::All || request == Request::Conflicts));
-  MessageWriter writer;
   if (request == Request::All)
   {
-    writer.addAll(this->repliesOfVisible().all());
+    ensure(reader.atEnd());
+    return toBytes(this->repliesOfVisible().all());
   }
-  else
-  {
-    const auto queries = reader.readAll<ConflictQuery>();
-    for (const ConflictQuery& query : queries)
-    {
-      ensure(query.limit > 0 && (!query.isBorder || this->frame->isLifted()));
-      for (int i = 0; i < (query.isBorder ? 2 : 3); ++i)
-      {
-        ensure(this->frame->holds(query.corner[i]));
-      }
-    }
-    const ConflictReply found = this->repliesOfVisible().conflicts(queries);
-    this->statistics.exactCalls += found.exactCalls;
-    writer.addAll(found.sites);
-  }
+  std::vector<ConflictQuery> queries;
+  reader(queries);
   ensure(reader.atEnd());
-  return std::move(writer.message);
+  for (const ConflictQuery& query : queries)
+  {
+    ensure(query.limit > 0 && (!query.isBorder || this->frame->isLifted()));
+    for (int i = 0; i < (query.isBorder ? 2 : 3); ++i)
+    {
+      ensure(this->frame->holds(query.corner[i]));
+    }
+  }
+  const ConflictReply found = this->repliesOfVisible().conflicts(queries);
+  this->statistics.exactCalls += found.exactCalls;
+  return toBytes(found.sites);
 }
 
 void BlockRun::State::receive(int from, const BlockMessage& message)
 {
-  MessageReader reader(message);
-  for (BlockSite& site : reader.readAll<BlockSite>())
+  for (BlockSite& site : valueOf<std::vector<BlockSite>>(message))
   {
-    ensure(this->frame->holds(site.x) && from != this->self);
+    ensure(this->frame->holds(site.x) && from != this->number);
     site.block = from;
     if (this->known.add(site))
     {
       this->arrived.push_back(this->known.size() - 1);
     }
   }
-  ensure(reader.atEnd());
 }
 
 BlockResult BlockRun::State::finish() const
@@ -515,13 +510,7 @@ BlockRun::BlockRun(BlockShape shape, const BlockPoints& points, const Options& o
 
 BlockRun::BlockRun(const BlockMessage& points, const std::vector<BlockMessage>& saved,
   const Options& options, const BlockSummaries& summaries)
-  : state(engineCall(
-      [&]
-      {
-        MessageReader reader(points);
-        reader.checkHash();
-        return std::make_unique<State>(reader, saved, options, summaries.frame);
-      }))
+  : state(engineCall([&] { return std::make_unique<State>(points, saved, options, summaries); }))
 {
 }
 

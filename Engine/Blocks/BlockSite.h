@@ -1,23 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A point as blocks send it each other, and messages of such plain values.
+/// A point as blocks send it each other.
 #ifndef flipflop_BlockSite_h
 #define flipflop_BlockSite_h
 
 #include "Points/Vertex.h"
 #include <flipflop/BlockRun.h>
-#include <flipflop/Error.h>
 #include <flipflop/PointView.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <functional>
 #include <limits>
-#include <string_view>
-#include <type_traits>
 #include <vector>
 
 namespace flipflop
@@ -72,91 +67,6 @@ inline WeightView weightsOf(BlockShape shape, const std::vector<BlockSite>& site
     ? WeightView()
     : WeightView(sites.front().x + 2, static_cast<std::int64_t>(sites.size()), BlockSiteStride);
 }
-
-class MessageWriter
-{
-public:
-  template <class Value>
-  void add(const Value& value)
-  {
-    static_assert(std::is_trivially_copyable_v<Value>);
-    const auto* const bytes = reinterpret_cast<const char*>(&value);
-    this->message.insert(this->message.end(), bytes, bytes + sizeof(Value));
-  }
-
-  template <class Value>
-  void addAll(const std::vector<Value>& values)
-  {
-    static_assert(std::is_trivially_copyable_v<Value>);
-    this->add(values.size());
-    const auto* const bytes = reinterpret_cast<const char*>(values.data());
-    this->message.insert(this->message.end(), bytes, bytes + values.size() * sizeof(Value));
-  }
-
-  /// Last: a hash of all bytes.
-  void addHash()
-  {
-    this->add(std::hash<std::string_view>()({ this->message.data(), this->message.size() }));
-  }
-
-  BlockMessage message;
-};
-
-/// Takes nothing for granted: a message may be damaged.
-class MessageReader
-{
-public:
-  explicit MessageReader(const BlockMessage& message)
-    : next(message.data())
-    , remaining(message.size())
-  {
-  }
-
-  /// @throw Error Internal if the message ends before
-  template <class Value>
-  Value read()
-  {
-    static_assert(std::is_trivially_copyable_v<Value>);
-    ensure(this->remaining >= sizeof(Value));
-    Value value;
-    std::memcpy(&value, this->next, sizeof(Value));
-    this->next += sizeof(Value);
-    this->remaining -= sizeof(Value);
-    return value;
-  }
-
-  template <class Value>
-  std::vector<Value> readAll()
-  {
-    const auto count = this->read<std::size_t>();
-    ensure(count <= this->remaining / sizeof(Value));
-    std::vector<Value> values(count);
-    if (count > 0)
-    {
-      std::memcpy(static_cast<void*>(values.data()), this->next, count * sizeof(Value));
-    }
-    this->next += count * sizeof(Value);
-    this->remaining -= count * sizeof(Value);
-    return values;
-  }
-
-  /// First: what follows are the bytes that were written.
-  /// @throw Error Internal if one of them has changed
-  void checkHash()
-  {
-    std::size_t hash;
-    ensure(this->remaining >= sizeof(hash));
-    this->remaining -= sizeof(hash);
-    std::memcpy(&hash, this->next + this->remaining, sizeof(hash));
-    ensure(hash == std::hash<std::string_view>()({ this->next, this->remaining }));
-  }
-
-  bool atEnd() const { return this->remaining == 0; }
-
-private:
-  const char* next;
-  std::size_t remaining;
-};
 
 }
 

@@ -208,11 +208,8 @@ BlockSummary::BlockSummary(
 
 BlockSummary::BlockSummary(const BlockMessage& message)
 {
-  MessageReader reader(message);
-  this->range = reader.read<CoordinateRange>();
-  this->sample = reader.readAll<BlockSite>();
-  this->patches = reader.readAll<BlockPatch>();
-  ensure(reader.atEnd() && (!this->sample.empty() || this->patches.empty()));
+  fromBytes(message, *this);
+  ensure(!this->sample.empty() || this->patches.empty());
   if (this->sample.empty())
   {
     this->range = emptyRange();
@@ -227,15 +224,6 @@ BlockSummary::BlockSummary(const BlockMessage& message)
       (largest == 0 ? this->range.smallest[i] == HUGE_VAL
                     : this->range.smallest[i] > 0 && this->range.smallest[i] <= largest));
   }
-}
-
-BlockMessage BlockSummary::message() const
-{
-  MessageWriter writer;
-  writer.add(this->range);
-  writer.addAll(this->sample);
-  writer.addAll(this->patches);
-  return std::move(writer.message);
 }
 
 }

@@ -12,6 +12,7 @@
 
 #include "Blocks/BlockPatch.h"
 #include "Blocks/BlockSite.h"
+#include "Blocks/MessageArchive.h"
 #include "Points/CoordinateRange.h"
 #include <flipflop/BlockRun.h>
 #include <flipflop/Options.h>
@@ -69,7 +70,13 @@ struct BlockSummary
   BlockSummary(BlockShape shape, const std::vector<BlockSite>& sites, const Options& options);
 
   explicit BlockSummary(const BlockMessage& message);
-  BlockMessage message() const;
+  BlockMessage message() const { return toBytes(*this); }
+
+  template <class Self, class Archive>
+  static void visit(Self& self, Archive& archive)
+  {
+    archive(self.range, self.sample, self.patches);
+  }
 };
 
 }

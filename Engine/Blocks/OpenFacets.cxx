@@ -43,7 +43,7 @@ OpenFacets::OpenFacets(
 {
 }
 
-void OpenFacets::save(MessageWriter& writer) const
+std::vector<SiteHandle> OpenFacets::activePoints() const
 {
   std::vector<SiteHandle> active;
   for (SiteHandle handle = 0; handle < this->activity.size(); ++handle)
@@ -53,37 +53,16 @@ void OpenFacets::save(MessageWriter& writer) const
       active.push_back(handle);
     }
   }
-  writer.addAll(active);
-  writer.addAll(this->core);
-  writer.addAll(this->hidden);
-  writer.add(this->facets.size());
-  for (const OpenFacet& facet : this->facets)
-  {
-    writer.addAll(facet.corners);
-    writer.add(facet.isSettled);
-    writer.addAll(facet.reach);
-    writer.add(facet.queried);
-  }
+  return active;
 }
 
-void OpenFacets::restore(MessageReader& reader, SiteHandle knownAtFirst)
+void OpenFacets::setActive(const std::vector<SiteHandle>& active)
 {
-  this->activity.assign(knownAtFirst, Idle);
-  for (const SiteHandle handle : reader.readAll<SiteHandle>())
+  this->activity.assign(this->known.countAtFirst(), Idle);
+  for (const SiteHandle handle : active)
   {
-    ensure(handle < knownAtFirst);
+    ensure(handle < this->activity.size());
     this->activity[handle] = Active;
-  }
-  this->core = reader.readAll<SiteHandle>();
-  this->hidden = reader.readAll<std::int64_t>();
-  for (auto count = reader.read<std::size_t>(); count > 0; --count)
-  {
-    OpenFacet facet;
-    facet.corners = reader.readAll<SiteHandle>();
-    facet.isSettled = reader.read<bool>();
-    facet.reach = reader.readAll<int>();
-    facet.queried = reader.read<std::size_t>();
-    this->facets.push_back(std::move(facet));
   }
 }
 

@@ -45,6 +45,12 @@ struct OpenFacet
   std::size_t queried = 0;     ///< so many of these have been
 
   bool isBorder() const { return this->corners.size() == 2; }
+
+  template <class Self, class Archive>
+  static void visit(Self& self, Archive& archive)
+  {
+    archive(self.corners, self.isSettled, self.reach, self.queried);
+  }
 };
 
 class OpenFacets
@@ -55,12 +61,17 @@ public:
   OpenFacets(
     const BlockFrame& frame, const Options& options, const ReceivedSites& known, BlockCells& cells);
 
-  ///@{
-  /// To bytes, and from them, instead of begin().
-  /// @param knownAtFirst how many points were known in the beginning
-  void save(MessageWriter& writer) const;
-  void restore(MessageReader& reader, SiteHandle knownAtFirst);
-  ///@}
+  /// Read instead of begin().
+  template <class Self, class Archive>
+  static void visit(Self& self, Archive& archive)
+  {
+    std::vector<SiteHandle> active = self.activePoints();
+    archive(active, self.core, self.hidden, self.facets);
+    if constexpr (Archive::IsReader)
+    {
+      self.setActive(active);
+    }
+  }
 
   /// Take the cells of the first run, on all that is known.
   void begin(const CellComplex& complex, const BlockReach& reach);
@@ -92,6 +103,8 @@ public:
   const std::vector<std::int64_t>& hiddenIds() const { return this->hidden; }
 
 private:
+  std::vector<SiteHandle> activePoints() const;
+  void setActive(const std::vector<SiteHandle>& active);
   void hideMissing(const CellComplex& complex, const std::vector<SiteHandle>& members);
 
   enum class CellState : std::uint8_t

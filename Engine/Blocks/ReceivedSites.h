@@ -31,6 +31,7 @@ public:
   ReceivedSites(std::vector<BlockSite> sites, int block)
     : self(block)
     , sites(std::move(sites))
+    , atFirst(this->size())
   {
     for (SiteHandle handle = 0; handle < this->size(); ++handle)
     {
@@ -61,11 +62,19 @@ public:
   SiteHandle size() const { return static_cast<SiteHandle>(this->sites.size()); }
   const std::vector<BlockSite>& all() const { return this->sites; }
 
-  /// Those from the first handle on, before the last.
-  std::vector<BlockSite> from(SiteHandle first, SiteHandle last) const
+  ///@{
+  /// What was known in the beginning, and what has been added.
+  SiteHandle countAtFirst() const { return this->atFirst; }
+  std::vector<BlockSite> first() const
   {
-    return { this->sites.begin() + first, this->sites.begin() + last };
+    return { this->sites.begin(), this->sites.begin() + this->atFirst };
   }
+  std::vector<BlockSite> added() const
+  {
+    return { this->sites.begin() + this->atFirst, this->sites.end() };
+  }
+  ///@}
+
   bool isOwn(SiteHandle handle) const { return (*this)[handle].block == this->self; }
 
   std::size_t ownCount() const { return this->sites.size() - this->foreign.size(); }
@@ -95,6 +104,7 @@ public:
 private:
   int self = -1;
   std::vector<BlockSite> sites; ///< those of the beginning, then as they came
+  SiteHandle atFirst = 0;       ///< how many those are
   std::unordered_map<std::int64_t, SiteHandle> foreign; ///< by id
 };
 

@@ -136,8 +136,8 @@ public:
   ///                  all but finish(), which needs the cells of all.
   /// @param options   of each run that follows; the same facets as before
   /// @param summaries that begin() was given
-  /// @throw Error     Internal if a byte has changed; BadArgument without the summaries, or with
-  ///                  nothing saved
+  /// @throw Error     Internal if a byte has changed, or another version has saved; BadArgument
+  ///                  without the summaries, or with nothing saved
   BlockRun(const BlockMessage& points, const std::vector<BlockMessage>& saved,
     const Options& options, const BlockSummaries& summaries);
 
@@ -149,8 +149,8 @@ public:
   BlockMessage summary() const;
 
   ///@{
-  /// The block as bytes, for the same build on machines of one kind: the points that it had after
-  /// begin(), which stay; and all else, of the cells those found since the block was made, by
+  /// The block as bytes, for builds of one version on machines of one kind: the points that it had
+  /// after begin(), which stay; and all else, of the cells those found since the block was made, by
   /// either constructor. The summaries are not among them.
   /// @throw Error BadArgument before begin()
   BlockMessage savePoints() const;

@@ -124,6 +124,7 @@ TEST(BlockErrors, DamagedSavedBlocks)
   BlockRun run(BlockShape::RegularTriangulation, pointsOf(places, ids), Options());
   const BlockSummaries summaries(BlockShape::RegularTriangulation, { run.summary() }, Options());
   EXPECT_EQ(codeOf([&] { run.savePoints(); }), ErrorCode::BadArgument) << "before begin()";
+  EXPECT_EQ(codeOf([&] { run.save(); }), ErrorCode::BadArgument) << "before begin()";
   run.begin(summaries, 0);
   const BlockMessage points = run.savePoints();
   const BlockMessage rest = run.save();
