@@ -4,6 +4,8 @@
 
 #include "FFRun.h"
 
+#include "Support/ByteHash.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
@@ -15,7 +17,6 @@
 
 #include <cerrno>
 #include <fstream>
-#include <string_view>
 #include <system_error>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -96,11 +97,6 @@ vtkSmartPointer<vtkXMLDataElement> makeElement(const char* name)
   auto element = vtkSmartPointer<vtkXMLDataElement>::New();
   element->SetName(name);
   return element;
-}
-
-std::uint64_t hashOf(const void* bytes, std::size_t size)
-{
-  return std::hash<std::string_view>()({ static_cast<const char*>(bytes), size });
 }
 
 /// Removes the files of a folder whose name is so.
@@ -255,7 +251,8 @@ void FFWorkFolder::Begin(
     throw FFBadSetting(
       "The work folder " + FFStreamedFiles::ToText(this->Folder) + " has other files in it.");
   }
-  std::vector<std::string> now{ std::to_string(hashOf(settings.data(), settings.size())) };
+  std::vector<std::string> now{ std::to_string(
+    flipflop::byteHash(settings.data(), settings.size())) };
   bool isSame = !before.empty() && before[0] == now[0];
   for (std::size_t i = 1; i < before.size() && isSame; ++i)
   {
@@ -293,10 +290,10 @@ void FFWorkFolder::Add(std::int64_t number, const flipflop::StreamPiece& piece)
 //------------------------------------------------------------------------------
 std::string FFWorkFolder::HashOf(const flipflop::StreamPiece& piece)
 {
-  const std::uint64_t parts[] = { hashOf(piece.positions.data(),
+  const std::uint64_t parts[] = { flipflop::byteHash(piece.positions.data(),
                                     piece.positions.size() * sizeof(double)),
-    hashOf(piece.records.data(), piece.records.size()), piece.positions.size() };
-  return std::to_string(hashOf(parts, sizeof(parts)));
+    flipflop::byteHash(piece.records.data(), piece.records.size()), piece.positions.size() };
+  return std::to_string(flipflop::byteHash(parts, sizeof(parts)));
 }
 
 //------------------------------------------------------------------------------

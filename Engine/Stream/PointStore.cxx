@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stream/PointStore.h"
 
-#include "Stream/StoredValues.h"
+#include "Blocks/MessageArchive.h"
 #include "Support/EngineCall.h"
 #include "Support/Parallel.h"
 #include "Support/Threads.h"
@@ -27,6 +27,13 @@ struct StoredPoint
   std::int64_t id;
   double x[3];
 };
+
+StoredPoint pointOf(const char* row)
+{
+  StoredPoint point;
+  std::memcpy(&point, row, sizeof(point));
+  return point;
+}
 
 /// Sections of a chunk's file.
 enum : std::int64_t
@@ -167,8 +174,7 @@ void PointStore::write(Chunk& chunk)
   std::vector<Key> sample;
   for (std::size_t i = 0; i < count; ++i)
   {
-    StoredPoint point;
-    std::memcpy(&point, chunk.rows.data() + i * this->rowSize, sizeof(point));
+    const StoredPoint point = pointOf(chunk.rows.data() + i * this->rowSize);
     if (mixed(static_cast<std::uint64_t>(point.id)) % step == 0)
     {
       sample.push_back(this->keyOf(point.x));
@@ -176,9 +182,9 @@ void PointStore::write(Chunk& chunk)
   }
   chunk.head.number = this->found.chunks;
   std::map<std::int64_t, std::vector<char>> sections;
-  sections.emplace(HeadSection, bytesOf(&chunk.head, 1));
+  sections.emplace(HeadSection, toBytes(chunk.head));
   sections.emplace(PointsSection, std::exchange(chunk.rows, {}));
-  sections.emplace(SampleSection, bytesOf(sample.data(), sample.size()));
+  sections.emplace(SampleSection, toBytes(sample));
   this->folder.write(nameOf("input-", chunk.head.number), sections);
   this->found = chunk.head.found;
   this->found.chunks = chunk.head.number + 1;
@@ -196,11 +202,11 @@ void PointStore::deal(const std::function<std::int64_t(std::int64_t points)>& bl
       throw Error(ErrorCode::TooManyPoints, -1, kept);
     }
     this->writeSample(PointRegions::sampleSize(static_cast<std::size_t>(this->found.blocks)));
-    this->folder.write("counts", bytesOf(&this->found, 1));
+    this->folder.write("counts", toBytes(this->found));
   }
   this->monitor.stage(0.1, 0.2, this->found.chunks, "dealing points to blocks");
   const PointRegions regions(
-    valuesOf<Key>(this->folder.read("sample")), static_cast<int>(this->found.blocks));
+    valueOf<std::vector<Key>>(this->folder.read("sample")), static_cast<int>(this->found.blocks));
   for (std::int64_t chunk = 0; chunk < this->found.chunks; ++chunk)
   {
     if (!this->folder.has(nameOf("dealt-", chunk)))
@@ -224,7 +230,7 @@ void PointStore::writeSample(std::size_t enough)
     const FileSection* const part = sectionOf(sections, SampleSection);
     ensure(part);
     parts.push_back(*part);
-    all += static_cast<std::size_t>(part->size) / sizeof(Key);
+    all += static_cast<std::size_t>(part->size - sizeof(std::size_t)) / sizeof(Key);
   }
   const std::size_t step = std::max<std::size_t>(1, all / enough);
   std::vector<Key> sample;
@@ -232,7 +238,8 @@ void PointStore::writeSample(std::size_t enough)
   for (std::int64_t chunk = 0; chunk < this->found.chunks; ++chunk)
   {
     const FileSection& part = parts[static_cast<std::size_t>(chunk)];
-    for (const Key& key : valuesOf<Key>(this->folder.read(nameOf("input-", chunk), part)))
+    for (const Key& key :
+      valueOf<std::vector<Key>>(this->folder.read(nameOf("input-", chunk), part)))
     {
       if (at++ % step == 0)
       {
@@ -240,7 +247,7 @@ void PointStore::writeSample(std::size_t enough)
       }
     }
   }
-  this->folder.write("sample", bytesOf(sample.data(), sample.size()));
+  this->folder.write("sample", toBytes(sample));
 }
 
 void PointStore::dealChunk(std::int64_t number, const PointRegions& regions) const
@@ -260,9 +267,7 @@ void PointStore::dealChunk(std::int64_t number, const PointRegions& regions) con
           std::vector<Key> keys;
           for (std::size_t i = begin; i < end; ++i)
           {
-            StoredPoint point;
-            std::memcpy(&point, rows.data() + i * this->rowSize, sizeof(point));
-            keys.push_back(this->keyOf(point.x));
+            keys.push_back(this->keyOf(pointOf(rows.data() + i * this->rowSize).x));
           }
           regions.find(keys.data(), keys.size(), region.data() + begin);
         });
@@ -331,8 +336,7 @@ BlockPoints PointStore::pointsOf(std::int64_t block) const
     {
       for (std::size_t at = 0; at < rows.size(); at += this->rowSize, ++i)
       {
-        StoredPoint point;
-        std::memcpy(&point, rows.data() + at, sizeof(point));
+        const StoredPoint point = pointOf(rows.data() + at);
         std::copy_n(point.x, 3, points.positions.data() + 3 * i);
         points.ids[i] = point.id;
       }
@@ -346,10 +350,10 @@ void PointStore::storeRecords(std::int64_t block) const
   {
     return;
   }
-  std::vector<char> ids;
+  std::vector<std::int64_t> ids;
   std::vector<char> records;
   const std::size_t count = this->countOf(block);
-  ids.reserve(count * sizeof(std::int64_t));
+  ids.reserve(count);
   records.reserve(count * this->settings.recordSize);
   this->eachPart(block,
     [&](const std::vector<char>& rows)
@@ -357,13 +361,13 @@ void PointStore::storeRecords(std::int64_t block) const
       for (auto row = rows.begin(); row != rows.end();
            row += static_cast<std::ptrdiff_t>(this->rowSize))
       {
-        ids.insert(ids.end(), row, row + sizeof(std::int64_t)); // StoredPoint::id
+        ids.push_back(pointOf(&*row).id);
         records.insert(records.end(), row + sizeof(StoredPoint),
           row + static_cast<std::ptrdiff_t>(this->rowSize));
       }
     });
   std::map<std::int64_t, std::vector<char>> sections;
-  sections.emplace(IdsSection, std::move(ids));
+  sections.emplace(IdsSection, toBytes(ids));
   sections.emplace(RecordsSection, std::move(records));
   this->folder.write(nameOf("records-", block), sections);
 }
@@ -390,7 +394,7 @@ std::vector<char> PointStore::recordsOf(const BlockResult& result) const
     const FileSections sections = this->folder.sections(name);
     const FileSection* const section = sectionOf(sections, RecordsSection);
     ensure(section);
-    const auto ids = valuesOf<std::int64_t>(this->folder.read(name, IdsSection));
+    const auto ids = valueOf<std::vector<std::int64_t>>(this->folder.read(name, IdsSection));
     const auto rowOf = [&](std::size_t i)
     {
       const std::int64_t id = result.cells.pointIds[i];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stream/StreamedBlocks.h"
 
-#include "Stream/StoredValues.h"
+#include "Blocks/MessageArchive.h"
 #include "Support/EngineCall.h"
 #include "Support/Threads.h"
 
@@ -223,7 +223,7 @@ void StreamedBlocks::endRound(std::int64_t number)
   {
     mark.files += static_cast<std::int64_t>(this->folder.numbered(nameOfRound("block-", i)).size());
   }
-  this->folder.write(RoundFile, bytesOf(&mark, 1));
+  this->folder.write(RoundFile, toBytes(mark));
 }
 
 void StreamedBlocks::beginBlock(std::int64_t block)
@@ -400,7 +400,7 @@ std::vector<double> StreamedBlocks::lowestPoint()
           lowest.id = ids[static_cast<std::size_t>(at)];
           std::copy_n(result.positions.data() + 3 * at, 3, lowest.x);
         }
-        this->folder.write(name, bytesOf(&lowest, 1));
+        this->folder.write(name, toBytes(lowest));
       }
     });
   Lowest lowest;
@@ -437,7 +437,7 @@ void StreamedBlocks::take(
   // Loops of the caller's must not be given another block, which would wait for the lock.
   threads::isolated([&] { callersFunction([&] { write(std::move(streamed)); }); });
   this->writeFailed = false;
-  this->folder.write(nameOf("taken-", block), bytesOf(&taken, 1));
+  this->folder.write(nameOf("taken-", block), toBytes(taken));
 }
 
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <flipflop/StreamedRun.h>
 
+#include "Blocks/MessageArchive.h"
 #include "Stream/PointStore.h"
-#include "Stream/StoredValues.h"
 #include "Stream/StreamedBlocks.h"
 #include "Stream/WorkFolder.h"
 #include "Support/EngineCall.h"
@@ -35,7 +35,6 @@ const char* const RunFile = "run";
 /// What a folder is of: the same when a run goes on.
 struct RunKey
 {
-  std::int64_t version = 2;
   std::int64_t shape, facets, nonFinite, pieces, recordSize;
 };
 
@@ -84,9 +83,9 @@ RunPlan planOf(const StreamSettings& settings, std::int64_t pieces, int threads,
   if (!folder.has(RunFile))
   {
     folder.removeFiles(); // of a run that has ended
-    folder.write(RunFile, { { KeySection, bytesOf(&key, 1) }, { PlanSection, bytesOf(&plan, 1) } });
+    folder.write(RunFile, { { KeySection, toBytes(key) }, { PlanSection, toBytes(plan) } });
   }
-  else if (folder.read(RunFile, KeySection) != bytesOf(&key, 1))
+  else if (folder.read(RunFile, KeySection) != toBytes(key))
   {
     throw badArgument("the folder has the files of another streamed run: its shape, facets, points "
                       "that are not finite, pieces or records are others");

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stream/WorkFolder.h"
 
+#include "Blocks/MessageArchive.h"
+#include "Support/ByteHash.h"
 #include "Support/StrictArithmetic.h"
 
 #include <algorithm>
 #include <cerrno>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -18,7 +19,9 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t Magic = 0x31776f6c66504c46; // of this version's files
+/// What files begin with, as text; and the digit behind it, their version's.
+constexpr std::uint64_t Name = 0x776f6c66504c46;
+constexpr std::uint64_t Magic = Name | ('0' + ArchiveVersion) << 56;
 
 /// What files of a run end with, so that no other is touched; and those that are being written.
 const std::string Suffix = ".flipflop";
@@ -35,19 +38,18 @@ bool endsWith(const std::string& name, const std::string& end)
   throw fs::filesystem_error(what, path, std::error_code(number, std::generic_category()));
 }
 
-/// Its machine may have stopped before the system had written it.
-void requireWhole(bool isWhole, const fs::path& path)
+void require(bool isGood, const char* what, const fs::path& path)
 {
-  if (!isWhole)
+  if (!isGood)
   {
-    throw fs::filesystem_error("a file of a streamed run is damaged: remove its folder", path,
-      std::make_error_code(std::errc::io_error));
+    throw fs::filesystem_error(what, path, std::make_error_code(std::errc::io_error));
   }
 }
 
-std::uint64_t hashOf(const char* bytes, std::size_t size)
+/// Its machine may have stopped before the system had written it.
+void requireWhole(bool isWhole, const fs::path& path)
 {
-  return std::hash<std::string_view>()({ bytes, size });
+  require(isWhole, "a file of a streamed run is damaged: remove its folder", path);
 }
 
 /// What a file begins with.
@@ -76,6 +78,11 @@ void put(std::ofstream& file, const void* bytes, std::size_t size, const fs::pat
   }
 }
 
+}
+
+std::string nameOf(const std::string& prefix, std::int64_t number)
+{
+  return prefix + std::to_string(number);
 }
 
 const FileSection* sectionOf(const FileSections& sections, std::int64_t key)
@@ -133,12 +140,11 @@ void WorkFolder::write(
   std::uint64_t offset = sizeof(Head) + sections.size() * sizeof(FileSection);
   for (const auto& [key, bytes] : sections)
   {
-    list.push_back({ key, offset, bytes.size(), hashOf(bytes.data(), bytes.size()) });
+    list.push_back({ key, offset, bytes.size(), byteHash(bytes.data(), bytes.size()) });
     offset += bytes.size();
   }
-  const auto* const listBytes = reinterpret_cast<const char*>(list.data());
   const std::size_t listSize = list.size() * sizeof(FileSection);
-  const Head head{ Magic, list.size(), hashOf(listBytes, listSize) };
+  const Head head{ Magic, list.size(), byteHash(list.data(), listSize) };
 
   const fs::path part = this->path / (name + Unfinished);
   try
@@ -150,7 +156,7 @@ void WorkFolder::write(
       fail("cannot make a file", part);
     }
     put(file, &head, sizeof(head), part);
-    put(file, listBytes, listSize, part);
+    put(file, list.data(), listSize, part);
     for (const auto& section : sections)
     {
       put(file, section.second.data(), section.second.size(), part);
@@ -209,12 +215,14 @@ FileSections WorkFolder::sections(const std::string& name) const
   std::ifstream file = this->open(from);
   Head head;
   this->take(file, from, 0, sizeof(head), reinterpret_cast<char*>(&head));
+  require(head.magic == Magic || head.magic << 8 != Name << 8,
+    "a file of a streamed run is of another version: remove its folder", from);
   requireWhole(
     head.magic == Magic && head.sections <= fs::file_size(from) / sizeof(FileSection), from);
   FileSections list(static_cast<std::size_t>(head.sections));
   const std::size_t size = list.size() * sizeof(FileSection);
   this->take(file, from, sizeof(head), size, reinterpret_cast<char*>(list.data()));
-  requireWhole(head.hash == hashOf(reinterpret_cast<const char*>(list.data()), size), from);
+  requireWhole(head.hash == byteHash(list.data(), size), from);
   return list;
 }
 
@@ -224,7 +232,7 @@ std::vector<char> WorkFolder::read(const std::string& name, const FileSection& s
   std::ifstream file = this->open(from);
   std::vector<char> bytes(static_cast<std::size_t>(section.size));
   this->take(file, from, section.offset, bytes.size(), bytes.data());
-  requireWhole(section.hash == hashOf(bytes.data(), bytes.size()), from);
+  requireWhole(section.hash == byteHash(bytes.data(), bytes.size()), from);
   return bytes;
 }
 

@@ -21,6 +21,9 @@
 namespace flipflop
 {
 
+/// A file's name.
+std::string nameOf(const std::string& prefix, std::int64_t number);
+
 /// Part of a file.
 struct FileSection
 {

@@ -405,6 +405,18 @@ TEST_F(HarmedFiles, WithAnotherByte)
     { "is damaged" });
 }
 
+TEST_F(HarmedFiles, OfAnotherVersion)
+{
+  this->expectNoticed(
+    [](const fs::path& path)
+    {
+      std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+      file.seekp(7); // behind the name that all versions begin with
+      file.put('1');
+    },
+    { "a file of a streamed run is of another version: remove its folder" });
+}
+
 TEST_F(HarmedFiles, ThatAreGone)
 {
   this->expectNoticed([](const fs::path& path) { fs::remove(path); },
