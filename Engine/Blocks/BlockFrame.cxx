@@ -44,7 +44,7 @@ BlockFrame::BlockFrame(
   BlockShape ofShape, const std::vector<BlockMessage>& summaries, const Options& options)
   : shape(ofShape)
   , blocks(static_cast<int>(summaries.size()))
-  , range(emptyRange())
+  , range(CoordinateRange::empty())
 {
   for (std::size_t block = 0; block < summaries.size(); ++block)
   {
@@ -59,7 +59,7 @@ BlockFrame::BlockFrame(
       patch.block = static_cast<std::int64_t>(block);
       this->patches.push_back(patch);
     }
-    include(summary.range, this->range);
+    this->range.add(summary.range);
   }
   if (this->sample.empty())
   {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <set>
 #include <utility>
@@ -194,14 +195,7 @@ BlockSummary::BlockSummary(
   std::sort(this->sample.begin(), this->sample.end(), hasLowerId);
   for (const BlockSite& site : sites)
   {
-    for (int i = 0; i < 3; ++i)
-    {
-      const double magnitude = std::fabs(site.x[i]);
-      this->range.low[i] = std::min(this->range.low[i], site.x[i]);
-      this->range.high[i] = std::max(this->range.high[i], site.x[i]);
-      this->range.smallest[i] =
-        magnitude > 0 ? std::min(this->range.smallest[i], magnitude) : this->range.smallest[i];
-    }
+    this->range.add(site.x);
   }
   this->patches = patchesOf(shape, sites, chosen);
 }
@@ -212,7 +206,7 @@ BlockSummary::BlockSummary(const BlockMessage& message)
   ensure(!this->sample.empty() || this->patches.empty());
   if (this->sample.empty())
   {
-    this->range = emptyRange();
+    this->range = CoordinateRange::empty();
   }
   for (int i = 0; i < 3 && !this->sample.empty(); ++i)
   {

@@ -17,31 +17,12 @@
 #include <flipflop/BlockRun.h>
 #include <flipflop/Options.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace flipflop
 {
-
-/// Over no point.
-inline CoordinateRange emptyRange()
-{
-  return { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL },
-    { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
-}
-
-inline void include(const CoordinateRange& part, CoordinateRange& range)
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    range.low[i] = std::min(range.low[i], part.low[i]);
-    range.high[i] = std::max(range.high[i], part.high[i]);
-    range.smallest[i] = std::min(range.smallest[i], part.smallest[i]);
-  }
-}
 
 /// How large a sample is. Tests take small ones, so that small blocks have queries.
 struct SampleSizes
@@ -61,7 +42,7 @@ struct BlockSummary
 {
   std::vector<BlockSite> sample;   ///< ascending by id
   std::vector<BlockPatch> patches; ///< of all points but those
-  CoordinateRange range = emptyRange();
+  CoordinateRange range = CoordinateRange::empty();
 
   BlockSummary() = default;
 

@@ -9,6 +9,9 @@
 #ifndef flipflop_CoordinateRange_h
 #define flipflop_CoordinateRange_h
 
+#include <algorithm>
+#include <cmath>
+
 namespace flipflop
 {
 
@@ -18,6 +21,34 @@ struct CoordinateRange
   double low[3];
   double high[3];
   double smallest[3]; ///< smallest non-zero magnitude, or infinity
+
+  /// Of no point.
+  static CoordinateRange empty()
+  {
+    return { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL },
+      { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
+  }
+
+  void add(const double* x)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const double magnitude = std::fabs(x[i]);
+      this->low[i] = std::min(this->low[i], x[i]);
+      this->high[i] = std::max(this->high[i], x[i]);
+      this->smallest[i] =
+        magnitude > 0 ? std::min(this->smallest[i], magnitude) : this->smallest[i];
+    }
+  }
+  void add(const CoordinateRange& other)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      this->low[i] = std::min(this->low[i], other.low[i]);
+      this->high[i] = std::max(this->high[i], other.high[i]);
+      this->smallest[i] = std::min(this->smallest[i], other.smallest[i]);
+    }
+  }
 
   double largest(int axis) const
   {

@@ -18,18 +18,6 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t PointsPerTask = std::size_t(1) << 16;
 
-ScanResult emptyScan()
-{
-  ScanResult result;
-  for (int i = 0; i < 3; ++i)
-  {
-    result.range.low[i] = Infinity;
-    result.range.high[i] = -Infinity;
-    result.range.smallest[i] = Infinity;
-  }
-  return result;
-}
-
 /// The lower of two ids, if there are any.
 std::int64_t firstOf(std::int64_t a, std::int64_t b)
 {
@@ -38,12 +26,7 @@ std::int64_t firstOf(std::int64_t a, std::int64_t b)
 
 void merge(ScanResult& into, const ScanResult& from)
 {
-  for (int i = 0; i < 3; ++i)
-  {
-    into.range.low[i] = std::min(into.range.low[i], from.range.low[i]);
-    into.range.high[i] = std::max(into.range.high[i], from.range.high[i]);
-    into.range.smallest[i] = std::min(into.range.smallest[i], from.range.smallest[i]);
-  }
+  into.range.add(from.range);
   into.nonFinite += from.nonFinite;
   into.firstNonFinite = firstOf(into.firstNonFinite, from.firstNonFinite);
   into.firstFinite = firstOf(into.firstFinite, from.firstFinite);
@@ -124,14 +107,7 @@ void scanOneByOne(
       continue;
     }
     result.firstFinite = result.firstFinite < 0 ? id : result.firstFinite;
-    for (int i = 0; i < 3; ++i)
-    {
-      const double magnitude = std::fabs(x[i]);
-      result.range.low[i] = std::min(result.range.low[i], x[i]);
-      result.range.high[i] = std::max(result.range.high[i], x[i]);
-      result.range.smallest[i] =
-        magnitude > 0 ? std::min(result.range.smallest[i], magnitude) : result.range.smallest[i];
-    }
+    result.range.add(x);
   }
 }
 
@@ -175,7 +151,7 @@ std::uint32_t scanAxes(
 void scanRange(
   const PointSource& source, std::uint32_t begin, std::uint32_t end, ScanResult& result)
 {
-  ScanResult quick = emptyScan();
+  ScanResult quick;
   const std::uint32_t done = source.packed() ? scanPacked(source, begin, end, quick.range)
                                              : scanAxes(source, begin, end, quick.range);
   if (done > 0)
@@ -188,15 +164,10 @@ void scanRange(
 
 }
 
-ScanSum::ScanSum()
-  : sum(emptyScan())
-{
-}
-
 void ScanSum::add(const PointSource& source, std::uint32_t begin, std::uint32_t end)
 {
   // A result of its own, so that the accumulators stay in registers.
-  ScanResult part = emptyScan();
+  ScanResult part;
   scanRange(source, begin, end, part);
   const std::lock_guard<std::mutex> lock(this->mutex);
   merge(this->sum, part);

@@ -17,18 +17,16 @@ namespace flipflop
 
 struct ScanResult
 {
-  CoordinateRange range;            ///< of the finite points
-  std::int64_t nonFinite = 0;       ///< how many have a NaN or infinite coordinate
-  std::int64_t firstNonFinite = -1; ///< the first of them
-  std::int64_t firstFinite = -1;    ///< the first other point
+  CoordinateRange range = CoordinateRange::empty(); ///< of the finite points
+  std::int64_t nonFinite = 0;                       ///< how many have a NaN or infinite coordinate
+  std::int64_t firstNonFinite = -1;                 ///< the first of them
+  std::int64_t firstFinite = -1;                    ///< the first other point
 };
 
 /// A scan of points in parts, by any threads.
 class ScanSum
 {
 public:
-  ScanSum();
-
   /// Add the points from @p begin on, before @p end. They are not scaled.
   void add(const PointSource& source, std::uint32_t begin, std::uint32_t end);
 

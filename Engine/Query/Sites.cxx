@@ -14,22 +14,11 @@ namespace
 
 CoordinateRange rangeOf(const Buffer<PowerSite>& sites)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  CoordinateRange range;
-  for (int i = 0; i < 3; ++i)
-  {
-    range.low[i] = range.smallest[i] = infinity;
-    range.high[i] = -infinity;
-  }
+  CoordinateRange range = CoordinateRange::empty();
   for (const PowerSite& site : sites)
   {
-    for (int i = 0; i < 3; ++i)
-    {
-      const double x = i < 2 ? site.x[i] : site.weight;
-      range.low[i] = std::min(range.low[i], x);
-      range.high[i] = std::max(range.high[i], x);
-      range.smallest[i] = x != 0 ? std::min(range.smallest[i], std::fabs(x)) : range.smallest[i];
-    }
+    const double x[3] = { site.x[0], site.x[1], site.weight };
+    range.add(x);
   }
   return range;
 }

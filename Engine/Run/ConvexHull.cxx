@@ -14,8 +14,6 @@
 #include "Run/LowDimensionalHull.h"
 #include "Support/EngineCall.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -79,22 +77,6 @@ void HullRun::computeSteps(PolyhedronBuilder<HullGeometry>& builder, Hull& hull)
   this->addStatistics(tally, hull.statistics);
 }
 
-namespace
-{
-
-void include(const double* x, CoordinateRange& range)
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    const double magnitude = std::fabs(x[i]);
-    range.low[i] = std::min(range.low[i], x[i]);
-    range.high[i] = std::max(range.high[i], x[i]);
-    range.smallest[i] = magnitude > 0 ? std::min(range.smallest[i], magnitude) : range.smallest[i];
-  }
-}
-
-}
-
 bool HullRun::inspect(Hull& hull, const double* kernel, PointScanner* scanner)
 {
   if (!this->scanPoints(hull.statistics, scanner))
@@ -103,7 +85,7 @@ bool HullRun::inspect(Hull& hull, const double* kernel, PointScanner* scanner)
   }
   if (kernel)
   {
-    include(kernel, this->range);
+    this->range.add(kernel);
   }
   this->setArithmetic(chooseArithmetic(this->range));
   this->geometry =

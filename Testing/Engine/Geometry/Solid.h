@@ -28,7 +28,8 @@ struct Solid
 
 inline Solid solidOf(const Surface& surface)
 {
-  Solid solid{ Polyhedron(surface.points.size(), surface.triangles.size()), {} };
+  Solid solid{ Polyhedron(surface.points.size(), surface.triangles.size()),
+    CoordinateRange::empty() };
   Buffer<Vertex>& vertices = solid.polyhedron.vertices;
   for (std::size_t v = 0; v < surface.points.size(); ++v)
   {
@@ -36,17 +37,9 @@ inline Solid solidOf(const Surface& surface)
     vertices[v].flags = VertexAlive;
     std::copy(surface.points[v].begin(), surface.points[v].end(), vertices[v].x);
   }
-  for (std::size_t i = 0; i < 3; ++i)
+  for (const Point& p : surface.points)
   {
-    double& low = solid.range.low[i] = HUGE_VAL;
-    double& high = solid.range.high[i] = -HUGE_VAL;
-    double& smallest = solid.range.smallest[i] = HUGE_VAL;
-    for (const Point& p : surface.points)
-    {
-      low = std::min(low, p[i]);
-      high = std::max(high, p[i]);
-      smallest = p[i] != 0 ? std::min(smallest, std::fabs(p[i])) : smallest;
-    }
+    solid.range.add(p.data());
   }
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
