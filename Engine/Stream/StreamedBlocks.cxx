@@ -56,17 +56,6 @@ std::string nameOfRound(const char* prefix, std::int64_t round)
   return nameOf(prefix, round) + "-";
 }
 
-/// The messages of a file, by the block that receives them.
-std::map<std::int64_t, std::vector<char>> byReceiver(std::map<int, BlockMessage>&& messages)
-{
-  std::map<std::int64_t, std::vector<char>> sections;
-  for (auto& [block, message] : messages)
-  {
-    sections[block] = std::move(message);
-  }
-  return sections;
-}
-
 /// A ProgressFunction of a block's runs: they report nothing, and stop when the whole does.
 bool goesOn(double, void* monitor)
 {
@@ -115,7 +104,7 @@ bool StreamedBlocks::haveBegun(const WorkFolder& folder)
 }
 
 void StreamedBlocks::stage(double from, double to, const char* name, const Numbers& blocks,
-  const std::function<void(std::int64_t block)>& work)
+  const std::string& files, const MakeFile& make)
 {
   this->monitor.stage(from, to, static_cast<std::int64_t>(blocks.size()), name);
   std::mutex mutex;
@@ -129,7 +118,11 @@ void StreamedBlocks::stage(double from, double to, const char* name, const Numbe
         if (!failed)
         {
           this->monitor.poll();
-          work(blocks[i]);
+          const std::string file = nameOf(files, blocks[i]);
+          if (!this->folder.has(file))
+          {
+            make(blocks[i], file);
+          }
           this->monitor.advance(1);
         }
       }
@@ -161,15 +154,11 @@ void StreamedBlocks::summarize()
   if (!this->folder.has("summaries"))
   {
     this->folder.requireAll(!haveBegun(this->folder), "summaries");
-    this->stage(0.2, 0.3, "looking at blocks", this->all,
-      [this](std::int64_t block)
+    this->stage(0.2, 0.3, "looking at blocks", this->all, "summary-",
+      [this](std::int64_t block, const std::string& file)
       {
-        const std::string name = nameOf("summary-", block);
-        if (!this->folder.has(name))
-        {
-          const BlockRun run(this->settings.shape, this->points.pointsOf(block), this->options);
-          this->folder.write(name, run.summary());
-        }
+        const BlockRun run(this->settings.shape, this->points.pointsOf(block), this->options);
+        this->folder.write(file, run.summary());
       });
     std::map<std::int64_t, std::vector<char>> sections;
     for (const std::int64_t block : this->all)
@@ -193,14 +182,11 @@ void StreamedBlocks::begin()
 {
   if (!haveBegun(this->folder))
   {
-    this->stage(0.3, 0.6, "triangulating blocks", this->all,
-      [this](std::int64_t block)
+    this->stage(0.3, 0.6, "triangulating blocks", this->all, nameOfRound("block-", 0),
+      [this](std::int64_t block, const std::string& file)
       {
-        if (!this->folder.has(this->stateOf(block, 0)))
-        {
-          this->beginBlock(block);
-          giveFreeMemoryBack();
-        }
+        this->beginBlock(block, file);
+        giveFreeMemoryBack();
       });
     this->endRound(0);
   }
@@ -226,13 +212,13 @@ void StreamedBlocks::endRound(std::int64_t number)
   this->folder.write(RoundFile, toBytes(mark));
 }
 
-void StreamedBlocks::beginBlock(std::int64_t block)
+void StreamedBlocks::beginBlock(std::int64_t block, const std::string& file)
 {
   this->points.storeRecords(block);
   BlockRun run(this->settings.shape, this->points.pointsOf(block), this->options);
   run.begin(this->summaries, static_cast<int>(block));
   this->folder.write(nameOf("points-", block), run.savePoints());
-  this->save(run, block, 0);
+  this->save(run, file);
 }
 
 std::string StreamedBlocks::stateOf(std::int64_t block, std::int64_t ofRound) const
@@ -255,11 +241,15 @@ BlockRun StreamedBlocks::restored(std::int64_t block, Cells cells) const
 }
 
 /// What the block has found in a round, with its queries.
-void StreamedBlocks::save(BlockRun& run, std::int64_t block, std::int64_t ofRound)
+void StreamedBlocks::save(BlockRun& run, const std::string& file)
 {
-  auto sections = byReceiver(run.makeQueries());
+  std::map<std::int64_t, std::vector<char>> sections;
+  for (auto& [receiver, queries] : run.makeQueries())
+  {
+    sections.emplace(receiver, std::move(queries));
+  }
   sections.emplace(StateSection, run.save());
-  this->folder.write(this->stateOf(block, ofRound), sections);
+  this->folder.write(file, sections);
 }
 
 /// Replies of the round before are not needed any longer.
@@ -309,35 +299,26 @@ bool StreamedBlocks::exchange()
     replying.push_back(receiver.first);
   }
   const std::string repliesOf = nameOfRound("replies-", this->round);
-  this->stage(0.6, 0.8, "replying to queries", replying,
-    [&](std::int64_t block)
+  this->stage(0.6, 0.8, "replying to queries", replying, repliesOf,
+    [&](std::int64_t block, const std::string& file)
     {
-      const std::string name = nameOf(repliesOf, block);
-      if (this->folder.has(name))
-      {
-        return;
-      }
       BlockRun run = this->restored(block, Cells::ToCome);
-      std::map<int, BlockMessage> replies;
+      std::map<std::int64_t, std::vector<char>> sections;
       for (const std::int64_t sender : senders.at(block))
       {
-        replies[static_cast<int>(sender)] = run.reply(this->folder.read(
+        sections[sender] = run.reply(this->folder.read(
           this->stateOf(sender, this->round), *sectionOf(queries.at(sender), block)));
       }
-      this->folder.write(name, byReceiver(std::move(replies)));
+      this->folder.write(file, sections);
     });
   Files replies;
   for (const std::int64_t block : replying)
   {
     replies[block] = this->folder.sections(nameOf(repliesOf, block));
   }
-  this->stage(0.6, 0.8, "adding replies", querying,
-    [&](std::int64_t block)
+  this->stage(0.6, 0.8, "adding replies", querying, nameOfRound("block-", this->round + 1),
+    [&](std::int64_t block, const std::string& file)
     {
-      if (this->folder.has(this->stateOf(block, this->round + 1)))
-      {
-        return;
-      }
       BlockRun run = this->restored(block, Cells::ToCome);
       for (const FileSection& query : queries.at(block))
       {
@@ -346,7 +327,7 @@ bool StreamedBlocks::exchange()
         run.receive(
           static_cast<int>(query.key), this->folder.read(nameOf(repliesOf, query.key), *reply));
       }
-      this->save(run, block, this->round + 1);
+      this->save(run, file);
     });
   this->endRound(++this->round);
   this->beginRound(this->round);
@@ -357,14 +338,11 @@ void StreamedBlocks::finish(const WriteBlock& write, StreamReport& report)
 {
   const std::vector<double> origin =
     this->settings.shape == BlockShape::Hull ? this->lowestPoint() : std::vector<double>();
-  this->stage(0.85, 1.0, "writing cells", this->all,
-    [&](std::int64_t block)
+  this->stage(0.85, 1.0, "writing cells", this->all, "taken-",
+    [&](std::int64_t block, const std::string& file)
     {
-      if (!this->folder.has(nameOf("taken-", block)))
-      {
-        this->take(block, origin, write);
-        giveFreeMemoryBack();
-      }
+      this->take(block, file, origin, write);
+      giveFreeMemoryBack();
     });
   BlockMeasure measure;
   for (const std::int64_t block : this->all)
@@ -385,23 +363,19 @@ void StreamedBlocks::finish(const WriteBlock& write, StreamReport& report)
 /// The corner of lowest id, from which blocks measure their share of a hull; none of no points.
 std::vector<double> StreamedBlocks::lowestPoint()
 {
-  this->stage(0.8, 0.85, "measuring", this->all,
-    [this](std::int64_t block)
+  this->stage(0.8, 0.85, "measuring", this->all, "lowest-",
+    [this](std::int64_t block, const std::string& file)
     {
-      const std::string name = nameOf("lowest-", block);
-      if (!this->folder.has(name))
+      const BlockResult result = this->restored(block, Cells::All).finish();
+      const auto& ids = result.cells.pointIds;
+      const auto at = std::min_element(ids.begin(), ids.end()) - ids.begin();
+      Lowest lowest;
+      if (!ids.empty())
       {
-        const BlockResult result = this->restored(block, Cells::All).finish();
-        const auto& ids = result.cells.pointIds;
-        const auto at = std::min_element(ids.begin(), ids.end()) - ids.begin();
-        Lowest lowest;
-        if (!ids.empty())
-        {
-          lowest.id = ids[static_cast<std::size_t>(at)];
-          std::copy_n(result.positions.data() + 3 * at, 3, lowest.x);
-        }
-        this->folder.write(name, toBytes(lowest));
+        lowest.id = ids[static_cast<std::size_t>(at)];
+        std::copy_n(result.positions.data() + 3 * at, 3, lowest.x);
       }
+      this->folder.write(file, toBytes(lowest));
     });
   Lowest lowest;
   for (const std::int64_t block : this->all)
@@ -413,8 +387,8 @@ std::vector<double> StreamedBlocks::lowestPoint()
                                   : std::vector<double>(lowest.x, lowest.x + 3);
 }
 
-void StreamedBlocks::take(
-  std::int64_t block, const std::vector<double>& origin, const WriteBlock& write)
+void StreamedBlocks::take(std::int64_t block, const std::string& file,
+  const std::vector<double>& origin, const WriteBlock& write)
 {
   BlockRun run = this->restored(block, Cells::All);
   StreamedBlock streamed;
@@ -437,7 +411,7 @@ void StreamedBlocks::take(
   // Loops of the caller's must not be given another block, which would wait for the lock.
   threads::isolated([&] { callersFunction([&] { write(std::move(streamed)); }); });
   this->writeFailed = false;
-  this->folder.write(nameOf("taken-", block), toBytes(taken));
+  this->folder.write(file, toBytes(taken));
 }
 
 }

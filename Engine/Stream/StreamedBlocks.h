@@ -43,14 +43,18 @@ private:
 
   void summarize();
   void begin();
-  void beginBlock(std::int64_t block);
+  void beginBlock(std::int64_t block, const std::string& file);
   bool exchange();
   void finish(const WriteBlock& write, StreamReport& report);
   std::vector<double> lowestPoint();
-  void take(std::int64_t block, const std::vector<double>& origin, const WriteBlock& write);
+  void take(std::int64_t block, const std::string& file, const std::vector<double>& origin,
+    const WriteBlock& write);
 
+  using MakeFile = std::function<void(std::int64_t block, const std::string& file)>;
+  /// Makes the file of each block that has none yet.
+  /// @param files what their names begin with, before the block's number
   void stage(double from, double to, const char* name, const Numbers& blocks,
-    const std::function<void(std::int64_t block)>& work);
+    const std::string& files, const MakeFile& make);
   std::string stateOf(std::int64_t block, std::int64_t ofRound) const;
   enum class Cells
   {
@@ -58,7 +62,7 @@ private:
     All
   };
   BlockRun restored(std::int64_t block, Cells cells) const;
-  void save(BlockRun& run, std::int64_t block, std::int64_t ofRound);
+  void save(BlockRun& run, const std::string& file);
   void endRound(std::int64_t number);
   std::int64_t beginRound(std::int64_t number);
 
