@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// What is wrong with a block's points or with a message is an Error; an abort ends any step.
+#include "Blocks/MessageArchive.h"
+#include "Support/ByteHash.h"
 #include "Testing/Engine/Blocks/BlocksInProcess.h"
 #include "Testing/Engine/Conformance/RandomCases.h"
 #include "Testing/Engine/Inputs/InputsWeighted.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 namespace flipflop
@@ -143,6 +146,11 @@ TEST(BlockErrors, DamagedSavedBlocks)
   };
   expectDamaged(points, [&](const BlockMessage& damaged) { return restored(damaged, { rest }); });
   expectDamaged(rest, [&](const BlockMessage& damaged) { return restored(points, { damaged }); });
+  BlockMessage other = rest;
+  const std::size_t size = other.size() - sizeof(std::uint64_t);
+  const std::uint64_t hash = byteHash(other.data(), size, ArchiveVersion + 1);
+  std::memcpy(other.data() + size, &hash, sizeof(hash));
+  EXPECT_EQ(restored(points, { other }), ErrorCode::Internal) << "of another version";
   EXPECT_EQ(restored(points, {}), ErrorCode::BadArgument) << "nothing saved";
   EXPECT_EQ(codeOf([&] { BlockRun(points, { rest }, Options(), BlockSummaries()); }),
     ErrorCode::BadArgument)
