@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -95,17 +96,12 @@ void addExtremes(
 /// The points of largest weight: the others' weights bound how far any of them reaches.
 void addHeaviest(const std::vector<BlockSite>& sites, std::set<std::size_t>& sample)
 {
-  const std::size_t count = sampleSizes().heaviest;
-  std::vector<std::size_t> heaviest;
-  const auto heavier = [&](std::size_t a, std::size_t b) { return sites[a].x[2] > sites[b].x[2]; };
-  for (std::size_t i = 0; i < sites.size(); ++i)
-  {
-    if (heaviest.size() < count || (count > 0 && heavier(i, heaviest.back())))
-    {
-      heaviest.insert(std::upper_bound(heaviest.begin(), heaviest.end(), i, heavier), i);
-      heaviest.resize(std::min(heaviest.size(), count));
-    }
-  }
+  std::vector<std::size_t> all(sites.size());
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  std::vector<std::size_t> heaviest(std::min(sampleSizes().heaviest, sites.size()));
+  std::partial_sort_copy(all.begin(), all.end(), heaviest.begin(), heaviest.end(),
+    [&](std::size_t a, std::size_t b)
+    { return std::make_pair(-sites[a].x[2], a) < std::make_pair(-sites[b].x[2], b); });
   sample.insert(heaviest.begin(), heaviest.end());
 }
 
