@@ -164,7 +164,8 @@ void CanonicalForm<Surface>::eachFanTriangle(Use&& use) const
 }
 
 /// use(cell, piece) for each cell that the polygons become: their fans' triangles; or one for a
-/// polygon, which has the polygon's number, behind all ranks, for its third corner.
+/// polygon of four corners or more, which has the polygon's number, behind all ranks, for its third
+/// corner.
 template <class Surface>
 template <class Use>
 void CanonicalForm<Surface>::eachPolygonCell(std::uint32_t pointCount, Use&& use) const
@@ -182,9 +183,10 @@ void CanonicalForm<Surface>::eachPolygonCell(std::uint32_t pointCount, Use&& use
       [&](std::size_t p, std::size_t piece)
       {
         const std::uint32_t* const corner = this->polygons->first(p);
-        use(Cell{ { this->rank[corner[0]], this->rank[corner[1]],
-              pointCount + static_cast<std::uint32_t>(p) } },
-          piece);
+        const std::uint32_t third = this->polygons->size(p) == 3
+          ? this->rank[corner[2]]
+          : pointCount + static_cast<std::uint32_t>(p);
+        use(Cell{ { this->rank[corner[0]], this->rank[corner[1]], third } }, piece);
       });
   }
 }
@@ -217,7 +219,7 @@ void CanonicalForm<Surface>::write(Monitor& monitor, CellComplex& complex, Use&&
     pointCount, [&](const Cell& cell, std::size_t piece) { sort.put(piece, cell); });
   monitor.poll();
 
-  if (this->facets == FacetMode::Polygons && this->polygons && this->polygons->count() > 0)
+  if (this->facets == FacetMode::Polygons && this->polygons && !this->polygons->areTriangles())
   {
     const Buffer<Cell> cells = sort.sort();
     monitor.poll();

@@ -28,8 +28,8 @@ template <class Surface>
 class CanonicalForm
 {
 public:
-  /// @param surface    strictly extreme vertices only; flatEdges() holds the flat edges. It
-  ///                   must outlive this.
+  /// @param surface    vertices that are alive are strictly extreme; flatEdges() holds the edges
+  ///                   that facets go on across. It must outlive this.
   /// @param anyFlat    whether there may be a flat edge
   /// @param duplicates pairs of ids at one position
   /// @param pointCount ids are below this

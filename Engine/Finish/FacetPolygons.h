@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// True facets, found by walking around the triangles that flat edges join.
+/// True facets, found by walking around the triangles that flat edges join. Vertices that the
+/// finish has removed, inside facets and true edges, are passed over.
 ///
 /// Every half-edge of a facet's border could start the walk; the lowest does. So threads look for
 /// facets piece by piece, and each walk ends where it meets a lower half-edge. Few facets are long,
@@ -13,21 +14,23 @@
 #define flipflop_FacetPolygons_h
 
 #include "Finish/VertexRanks.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Polyhedron.h"
 #include "Support/Monitor.h"
 #include "Support/Parallel.h"
 #include <flipflop/Buffer.h>
+#include <flipflop/Error.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace flipflop
 {
 
 /// The true facets of two and more triangles, as polygons of vertices, the one of lowest rank
-/// first.
+/// first. One whose other vertices are removed is a triangle.
 /// @tparam Surface Polyhedron, or PlanePolyhedron; flatEdges() holds the flat edges
 template <class Surface>
 class FacetPolygons
@@ -50,9 +53,9 @@ public:
         const std::uint32_t other = partPairs ? this->otherOfPair(t) : NoIndex;
         if (other != NoIndex && triangleOf(other) < t)
         {
-          return;
+          return; // the lowest half-edge of its border is the other's
         }
-        if (other != NoIndex)
+        if (other != NoIndex && this->isOfPoints(t) && this->isOfPoints(triangleOf(other)))
         {
           // What is in another piece, waits: its thread may examine it now.
           if (triangleOf(other) < this->surface.pieceEnd(piece))
@@ -86,6 +89,7 @@ public:
   }
 
   std::size_t count() const { return this->end.size(); }
+  bool areTriangles() const { return this->corners.size() == 3 * this->count(); }
   const std::uint32_t* first(std::size_t p) const
   {
     return this->corners.data() + (p == 0 ? 0 : this->end[p - 1]);
@@ -135,8 +139,14 @@ private:
     return this->onlyFlatEdge(triangleOf(twin)) == cornerOf(twin) ? twin : NoIndex;
   }
 
+  bool isOfPoints(std::uint32_t t) const
+  {
+    const std::uint32_t* const v = this->surface.triangles[t].v;
+    return std::all_of(v, v + 3, [this](std::uint32_t i) { return this->rank[i] != NoIndex; });
+  }
+
   /// Part the facet of abc, of triangle t, and bad, of @p ba, by the diagonal from its corner of
-  /// lowest rank, unless one is no point: they stay, or become cad and dbc.
+  /// lowest rank: they stay, or become cad and dbc.
   void partPair(std::uint32_t t, std::uint32_t ba)
   {
     const std::uint32_t u = triangleOf(ba);
@@ -156,12 +166,8 @@ private:
     far[0] = turns ? d : b;
     far[1] = turns ? b : a;
     far[2] = turns ? c : d;
-    const auto isPoint = [this](std::uint32_t v) { return this->rank[v] != NoIndex; };
-    if (isPoint(a) && isPoint(b) && isPoint(c) && isPoint(d))
-    {
-      this->surface.clearFlatEdges(t);
-      this->surface.clearFlatEdges(u);
-    }
+    this->surface.clearFlatEdges(t);
+    this->surface.clearFlatEdges(u);
   }
 
   /// Put the polygons of all parts one after another.
@@ -251,21 +257,32 @@ private:
     return found;
   }
 
-  /// The corners from @p first on are a polygon, if all are points of the result.
+  /// The vertices from @p first on are around a polygon, unless one is virtual, or all are at one
+  /// position. In a plane's triangulation by parts none is removed.
   void close(std::size_t first, Found& found) const
   {
     const auto front = found.corners.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto back = found.corners.end();
+    auto back = found.corners.end();
     const auto rankOf = [this](std::uint32_t v) { return this->rank[v]; };
-    if (std::any_of(front, back, [&](std::uint32_t v) { return rankOf(v) == NoIndex; }))
+    if constexpr (std::is_same_v<Surface, Polyhedron>)
     {
-      found.corners.resize(first);
-      return;
+      const auto isNoPoint = [&](std::uint32_t v) { return rankOf(v) == NoIndex; };
+      const bool touchesVirtual = std::any_of(front, back,
+        [&](std::uint32_t v)
+        { return isNoPoint(v) && (this->surface.vertices[v].flags & VertexVirtual) != 0; });
+      back = touchesVirtual ? front : std::unique(front, std::remove_if(front, back, isNoPoint));
+      back -= back - front > 1 && *front == *(back - 1) ? 1 : 0;
     }
-    const auto lowest = std::min_element(
-      front, back, [&](std::uint32_t a, std::uint32_t b) { return rankOf(a) < rankOf(b); });
-    std::rotate(front, lowest, back);
-    found.ends.push_back(found.corners.size());
+    const auto size = back - front;
+    ensure(size != 2);
+    found.corners.erase(size > 2 ? back : front, found.corners.end());
+    if (size > 2)
+    {
+      const auto lowest = std::min_element(
+        front, back, [&](std::uint32_t a, std::uint32_t b) { return rankOf(a) < rankOf(b); });
+      std::rotate(front, lowest, back);
+      found.ends.push_back(found.corners.size());
+    }
   }
 
   std::uint32_t origin(std::uint32_t h) const

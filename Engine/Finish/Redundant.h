@@ -4,13 +4,13 @@
 /// The finish, first part: take back what the perturbation added.
 ///
 /// A perturbed hull may keep points inside true facets and edges, and duplicates of its vertices.
-/// They are found here, by exact signs without the perturbation, and FacetRetriangulation takes
-/// them out. Then every vertex is strictly extreme, no triangle is without area, and true facets
-/// are the triangles joined across exactly flat edges.
+/// They are found here, by exact signs without the perturbation, and are no vertices any more:
+/// FacetPolygons passes them over on its way around true facets, which are the triangles joined
+/// across exactly flat edges (Strips.h).
 #ifndef flipflop_Redundant_h
 #define flipflop_Redundant_h
 
-#include "Finish/FacetRetriangulation.h"
+#include "Finish/Strips.h"
 #include "FlipFlop/Tally.h"
 #include "Mesh/Polyhedron.h"
 #include "Support/DisjointSets.h"
@@ -39,8 +39,9 @@ public:
   {
   }
 
-  /// Remove them all. Afterwards Triangle::flatEdges holds the flat edges.
-  /// @return whether there is any flat edge
+  /// Remove them all: they are alive no more, and others of their position take their places.
+  /// Afterwards Triangle::flatEdges holds the edges that facets go on across.
+  /// @return whether there is any
   bool remove()
   {
     if (this->tally.ties == 0)
@@ -63,7 +64,8 @@ public:
       return true;
     }
     const Geometry local = this->geometry;
-    FacetRetriangulation<Geometry>(local, this->polyhedron, this->monitor).remove(this->redundant);
+    Strips<Geometry>(local, this->polyhedron, this->monitor).endFacets(this->redundant);
+    this->removeVertices();
     this->tally.addPredicates(local, this->geometry);
     this->tally.statistics.redundant += static_cast<std::int64_t>(this->redundant.size());
     std::atomic<bool> anyFlat{ false };
@@ -79,6 +81,31 @@ public:
   }
 
 private:
+  /// Of several vertices at one position, one that stays.
+  struct Replacement
+  {
+    std::uint32_t halfEdge; ///< from one that is removed
+    std::uint32_t vertex;
+  };
+
+  void removeVertices()
+  {
+    const Mesh mesh = this->polyhedron.mesh();
+    for (const std::uint32_t h : this->redundant)
+    {
+      mesh.vertices[mesh.origin(h)].flags = 0;
+    }
+    for (const Replacement& replacement : this->replacements)
+    {
+      std::uint32_t spoke = replacement.halfEdge;
+      do
+      {
+        mesh.triangles[triangleOf(spoke)].v[cornerOf(spoke)] = replacement.vertex;
+        spoke = mesh.twin(previousHalfEdge(spoke));
+      } while (spoke != replacement.halfEdge);
+    }
+  }
+
   /// The planes of the triangles at one position, as far as they must be distinguished: at a vertex
   /// of a solid there are three or more.
   class PlanesAround
@@ -273,6 +300,7 @@ private:
         if (id != low)
         {
           this->label(ends[end]);
+          this->replacements.push_back({ ends[end], mesh.origin(ends[begin]) });
           this->tally.duplicates.push_back({ id, low });
         }
       }
@@ -368,6 +396,7 @@ private:
   Monitor& monitor;
   std::vector<bool> judged; ///< vertices of which it is decided whether they are labelled
   std::vector<std::uint32_t> redundant; ///< a half-edge from each labelled vertex
+  std::vector<Replacement> replacements;
 };
 
 }
