@@ -5,9 +5,14 @@
 #ifndef flipflop_HilbertCurve_h
 #define flipflop_HilbertCurve_h
 
+#include "Support/Monitor.h"
+#include "Support/Parallel.h"
+
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace flipflop
 {
@@ -126,6 +131,34 @@ private:
   double high[2];
   double scale = 0;
 };
+
+/// The curve through the box of @p count points.
+/// @param load void (i, uv): the position of the i-th
+/// @throw Error Aborted
+template <class Load>
+HilbertCurve curveThrough(std::size_t count, Monitor& monitor, const Load& load)
+{
+  constexpr std::size_t PointsPerTask = 1 << 14;
+  std::vector<HilbertCurve> parts(chunkCount(count, PointsPerTask));
+  eachChunk(count, PointsPerTask,
+    [&](std::size_t begin, std::size_t end, std::size_t number)
+    {
+      monitor.poll();
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        double uv[2];
+        load(i, uv);
+        parts[number].add(uv);
+      }
+    });
+  HilbertCurve whole;
+  for (const HilbertCurve& part : parts)
+  {
+    whole.add(part);
+  }
+  whole.prepare();
+  return whole;
+}
 
 constexpr std::uint32_t InsertionLevels = 9;
 

@@ -3,13 +3,12 @@
 #include "Points/InsertionOrder.h"
 
 #include "Points/HilbertCurve.h"
-#include "Support/Parallel.h"
+#include "Support/BucketSort.h"
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace flipflop
 {
@@ -48,34 +47,22 @@ template <class BucketOf, class Put>
 std::vector<std::uint32_t> distribute(
   std::size_t count, std::size_t buckets, Monitor& monitor, BucketOf&& bucketOf, Put&& put)
 {
-  std::vector<std::uint32_t> cursor(
-    chunkCount(count, PointsPerTask) * buckets); // by chunk, then bucket
+  BucketCursors cursors(buckets, chunkCount(count, PointsPerTask));
   eachChunk(count, monitor,
     [&](std::size_t begin, std::size_t end, std::size_t number)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        ++cursor[number * buckets + bucketOf(i)];
+        cursors.count(number, bucketOf(i));
       }
     });
-  std::vector<std::uint32_t> bucketBegin;
-  bucketBegin.reserve(buckets + 1);
-  std::uint32_t total = 0;
-  for (std::size_t bucket = 0; bucket < buckets; ++bucket)
-  {
-    bucketBegin.push_back(total);
-    for (std::size_t at = bucket; at < cursor.size(); at += buckets)
-    {
-      total += std::exchange(cursor[at], total);
-    }
-  }
-  bucketBegin.push_back(total);
+  std::vector<std::uint32_t> bucketBegin = cursors.endCounting();
   eachChunk(count, monitor,
     [&](std::size_t begin, std::size_t end, std::size_t number)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        put(i, cursor[number * buckets + bucketOf(i)]++);
+        put(i, cursors.next(number, bucketOf(i)));
       }
     });
   return bucketBegin;
@@ -95,7 +82,8 @@ public:
 
   void sort(Keyed* keyed, std::size_t count) const
   {
-    const HilbertCurve curve = this->curveThrough(keyed, count);
+    const HilbertCurve curve = curveThrough(
+      count, this->monitor, [&](std::size_t i, double* uv) { this->map(keyed[i].id, uv); });
     eachChunk(count, this->monitor,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
@@ -119,28 +107,6 @@ private:
     double x[3];
     this->source.load(id, x);
     this->octahedral.map(x, uv);
-  }
-
-  HilbertCurve curveThrough(const Keyed* keyed, std::size_t count) const
-  {
-    std::vector<HilbertCurve> parts(chunkCount(count, PointsPerTask));
-    eachChunk(count, this->monitor,
-      [&](std::size_t begin, std::size_t end, std::size_t number)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          double uv[2];
-          this->map(keyed[i].id, uv);
-          parts[number].add(uv);
-        }
-      });
-    HilbertCurve whole;
-    for (const HilbertCurve& part : parts)
-    {
-      whole.add(part);
-    }
-    whole.prepare();
-    return whole;
   }
 
   void sortFew(Keyed* keyed, std::size_t count) const

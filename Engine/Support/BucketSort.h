@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Items in the order of their keys, which are indices of points.
+/// Items by buckets, and in the order of their keys, which are indices of points.
 #ifndef flipflop_BucketSort_h
 #define flipflop_BucketSort_h
 
@@ -17,9 +17,55 @@
 namespace flipflop
 {
 
-/// Two passes over the items, by pieces that may run in parallel: the first counts, the second
-/// moves each item to a bucket of neighbouring keys. A bucket then is sorted in the cache. Items of
-/// one key stay in their order: piece by piece.
+/// Where items go that are sent to buckets in two passes over them, by pieces that may run in
+/// parallel: the first counts, the second moves. The items of a bucket stay in their order: piece
+/// by piece.
+class BucketCursors
+{
+public:
+  BucketCursors(std::size_t buckets, std::size_t pieceCount)
+    : bucketCount(buckets)
+    , rowSize((buckets + 15) / 16 * 16) // pieces that are counted at once share no cache line
+    , cursors(this->rowSize * pieceCount)
+  {
+  }
+
+  void count(std::size_t piece, std::size_t bucket) { ++this->at(piece, bucket); }
+
+  /// @param first the index of the first item
+  /// @return      where the buckets begin, and where the last one ends
+  std::vector<std::uint32_t> endCounting(std::uint32_t first = 0)
+  {
+    std::vector<std::uint32_t> begins;
+    begins.reserve(this->bucketCount + 1);
+    std::uint32_t total = first;
+    for (std::size_t bucket = 0; bucket < this->bucketCount; ++bucket)
+    {
+      begins.push_back(total);
+      for (std::size_t i = bucket; i < this->cursors.size(); i += this->rowSize)
+      {
+        total += std::exchange(this->cursors[i], total);
+      }
+    }
+    begins.push_back(total);
+    return begins;
+  }
+
+  /// Where an item goes.
+  std::uint32_t next(std::size_t piece, std::size_t bucket) { return this->at(piece, bucket)++; }
+
+private:
+  std::uint32_t& at(std::size_t piece, std::size_t bucket)
+  {
+    return this->cursors[piece * this->rowSize + bucket];
+  }
+
+  std::size_t bucketCount;
+  std::size_t rowSize;                ///< cursors of a piece
+  std::vector<std::uint32_t> cursors; ///< by piece, then bucket
+};
+
+/// Each item is sent to a bucket of neighbouring keys, which then is sorted in the cache.
 /// @tparam Item  trivially copyable
 /// @tparam KeyOf std::uint32_t operator()(const Item&)
 template <class Item, class KeyOf>
@@ -29,43 +75,27 @@ public:
   /// @param keys are below it
   BucketSort(std::size_t keys, std::size_t pieceCount)
     : keyCount(keys)
-    , shift(12)
+    , shift(shiftOf(keys))
+    , cursors((keys >> this->shift) + 1, pieceCount)
   {
-    while (this->keyCount >> this->shift > 512)
-    {
-      ++this->shift;
-    }
-    this->bucketCount = (this->keyCount >> this->shift) + 1;
-    // Pieces that are counted at once share no cache line.
-    this->rowSize = (this->bucketCount + 15) / 16 * 16;
-    this->next.assign(this->rowSize * pieceCount, 0);
   }
 
-  void count(std::size_t piece, std::uint32_t key) { ++this->cursor(piece, key); }
+  void count(std::size_t piece, std::uint32_t key)
+  {
+    this->cursors.count(piece, key >> this->shift);
+  }
 
   /// @param memory for the items, where it is enough
   template <class Any>
   void endCounting(Buffer<Any>&& memory)
   {
-    std::uint32_t total = 0;
-    this->bucketBegin.reserve(this->bucketCount + 1);
-    for (std::size_t bucket = 0; bucket < this->bucketCount; ++bucket)
-    {
-      this->bucketBegin.push_back(total);
-      for (std::size_t at = bucket; at < this->next.size(); at += this->rowSize)
-      {
-        const std::uint32_t n = this->next[at];
-        this->next[at] = total;
-        total += n;
-      }
-    }
-    this->bucketBegin.push_back(total);
-    this->items = Buffer<Item>::recycle(std::move(memory), total);
+    this->bucketBegin = this->cursors.endCounting();
+    this->items = Buffer<Item>::recycle(std::move(memory), this->bucketBegin.back());
   }
 
   void put(std::size_t piece, const Item& item)
   {
-    this->items[this->cursor(piece, KeyOf()(item))++] = item;
+    this->items[this->cursors.next(piece, KeyOf()(item) >> this->shift)] = item;
   }
 
   /// How many items there are, after counting.
@@ -78,14 +108,20 @@ public:
   template <class Use>
   Buffer<Item> sort(const Use& use)
   {
-    eachTask(this->bucketCount, [&](std::size_t bucket) { this->sortBucket(bucket, use); });
+    eachTask(
+      this->bucketBegin.size() - 1, [&](std::size_t bucket) { this->sortBucket(bucket, use); });
     return std::move(this->items);
   }
 
 private:
-  std::uint32_t& cursor(std::size_t piece, std::uint32_t key)
+  static int shiftOf(std::size_t keys)
   {
-    return this->next[piece * this->rowSize + (key >> this->shift)];
+    int shift = 12;
+    while (keys >> shift > 512)
+    {
+      ++shift;
+    }
+    return shift;
   }
 
   template <class Use>
@@ -120,10 +156,7 @@ private:
 
   std::size_t keyCount;
   int shift; ///< a bucket has 2^shift keys
-  std::size_t bucketCount;
-  std::size_t rowSize; ///< indices in next for a piece
-  std::vector<std::uint32_t>
-    next; ///< by piece, then bucket: how many items, then where the next goes
+  BucketCursors cursors;
   std::vector<std::uint32_t> bucketBegin;
   Buffer<Item> items;
 };

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <mutex>
 
 namespace flipflop
 {
@@ -20,26 +19,6 @@ constexpr std::size_t PointsPerTask = 1 << 14;
 std::uint32_t keyOf(std::uint64_t item)
 {
   return static_cast<std::uint32_t>(item >> 32);
-}
-
-HilbertCurve curveOf(const Buffer<Vertex>& points, Monitor& monitor)
-{
-  HilbertCurve curve;
-  std::mutex mutex;
-  eachChunk(points.size(), PointsPerTask,
-    [&](std::size_t begin, std::size_t end, std::size_t)
-    {
-      monitor.poll();
-      HilbertCurve part;
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        part.add(points[i].x);
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      curve.add(part);
-    });
-  curve.prepare();
-  return curve;
 }
 
 std::uint32_t indexOf(std::uint64_t item)
@@ -104,7 +83,8 @@ TerrainPoints::TerrainPoints(
       given[at].x[2] = x[2];
     });
 
-  const HilbertCurve curve = curveOf(given, monitor);
+  const HilbertCurve curve = curveThrough(
+    given.size(), monitor, [&given](std::size_t i, double* uv) { std::copy_n(given[i].x, 2, uv); });
   Buffer<std::uint64_t> order(given.size());
   eachChunk(given.size(), PointsPerTask,
     [&](std::size_t begin, std::size_t end, std::size_t)
