@@ -9,6 +9,7 @@
 #define flipflop_BlockPatch_h
 
 #include "Blocks/BlockSite.h"
+#include "Points/Vector3.h"
 #include "Predicates/ErrorBounds.h"
 #include "Support/BoxTree.h"
 
@@ -45,27 +46,6 @@ struct BlockPatch
   }
 
 private:
-  struct Vector
-  {
-    double x[3];
-  };
-
-  static Vector between(const double* from, const double* to)
-  {
-    return { { to[0] - from[0], to[1] - from[1], to[2] - from[2] } };
-  }
-
-  static double length(const Vector& v)
-  {
-    return std::sqrt(v.x[0] * v.x[0] + v.x[1] * v.x[1] + v.x[2] * v.x[2]);
-  }
-
-  static Vector cross(const Vector& u, const Vector& v)
-  {
-    return { { u.x[1] * v.x[2] - u.x[2] * v.x[1], u.x[2] * v.x[0] - u.x[0] * v.x[2],
-      u.x[0] * v.x[1] - u.x[1] * v.x[0] } };
-  }
-
   /// Along three points that are far apart. Any normal is right; a good one makes the slab thin.
   void addSlab(const BlockSite* begin, const BlockSite* end)
   {
@@ -75,17 +55,17 @@ private:
         [&](const BlockSite& a, const BlockSite& b) { return distance(a) < distance(b); });
     };
     const BlockSite* const second =
-      furthest([&](const BlockSite& site) { return length(between(begin->x, site.x)); });
-    Vector along = between(begin->x, second->x);
-    const double extent = length(along);
+      furthest([&](const BlockSite& site) { return lengthOf(subtract(site.x, begin->x)); });
+    Vector3 along = subtract(second->x, begin->x);
+    const double extent = lengthOf(along);
     for (double& x : along.x)
     {
       x /= extent;
     }
     const BlockSite* const third = furthest(
-      [&](const BlockSite& site) { return length(cross(along, between(begin->x, site.x))); });
-    const Vector n = cross(along, between(begin->x, third->x));
-    const double size = length(n);
+      [&](const BlockSite& site) { return lengthOf(cross(along, subtract(site.x, begin->x))); });
+    const Vector3 n = cross(along, subtract(third->x, begin->x));
+    const double size = lengthOf(n);
     if (!(size >= PatchFloor) || !std::isfinite(extent))
     {
       return; // a point, a line, or numbers whose squares overflow or vanish
@@ -96,16 +76,15 @@ private:
     }
     for (int i = 0; i < 3; ++i)
     {
-      this->normal[i] = n.x[i] / size;
+      this->normal[i] = n[i] / size;
     }
     for (const BlockSite* site = begin; site != end; ++site)
     {
-      const Vector d = between(this->origin, site->x);
-      const double t =
-        this->normal[0] * d.x[0] + this->normal[1] * d.x[1] + this->normal[2] * d.x[2];
+      const Vector3 d = subtract(site->x, this->origin);
+      const double t = dot(this->normal, d);
       this->low = std::min(this->low, t);
       this->high = std::max(this->high, t);
-      this->radius = std::max(this->radius, length(d));
+      this->radius = std::max(this->radius, lengthOf(d));
     }
     this->radius *= 1 + PatchError;
     this->low -= PatchError * this->radius;

@@ -3,6 +3,7 @@
 #include "Blocks/BlockSummary.h"
 
 #include "Geometry/HullGeometry.h"
+#include "Points/Vector3.h"
 #include "Run/HullRun.h"
 #include "Run/Span.h"
 #include "Run/TriangulationRun.h"
@@ -77,9 +78,7 @@ void addExtremes(
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const double* const x = sites[i].x;
-        const double along =
-          directions[k][0] * x[0] + directions[k][1] * x[1] + directions[k][2] * x[2];
+        const double along = dot(directions[k], sites[i].x);
         if (along > furthest[k].first)
         {
           furthest[k] = { along, i };

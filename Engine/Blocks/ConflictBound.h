@@ -16,6 +16,7 @@
 #define flipflop_ConflictBound_h
 
 #include "Blocks/BlockPatch.h"
+#include "Points/Vector3.h"
 #include "Predicates/ErrorBounds.h"
 #include "Support/BoxTree.h"
 
@@ -97,8 +98,7 @@ public:
     }
     // n . (p - a) = n . (o - a) + b m . (p - o) + (n - b m) . (p - o), where m is the slab's
     // normal.
-    const double along = this->slope[0] * patch.normal[0] + this->slope[1] * patch.normal[1] +
-      this->slope[2] * patch.normal[2];
+    const double along = dot(this->slope, patch.normal);
     double sum = 0, size = 0, rest = 0;
     for (int i = 0; i < 3; ++i)
     {

@@ -9,6 +9,7 @@
 #define flipflop_Measure_h
 
 #include "Points/CoordinateRange.h"
+#include "Points/Vector3.h"
 #include "Support/HostDevice.h"
 #include <flipflop/Hull.h>
 
@@ -86,7 +87,7 @@ public:
   FF_HD void addTriangle(const double* origin, const double* first, const double* second,
     const double* third, MeasureSums& sums) const
   {
-    double a[3], b[3], c[3], n[3];
+    double a[3], b[3], c[3];
     for (int i = 0; i < 3; ++i)
     {
       const double from = origin[i] * this->toUnit[i];
@@ -94,16 +95,14 @@ public:
       b[i] = second[i] * this->toUnit[i] - from;
       c[i] = third[i] * this->toUnit[i] - from;
     }
+    const Vector3 n = cross(subtract(b, a), subtract(c, a));
     double square = 0;
     for (int i = 0; i < 3; ++i)
     {
-      const int p = (i + 1) % 3;
-      const int q = (i + 2) % 3;
-      n[i] = (b[p] - a[p]) * (c[q] - a[q]) - (b[q] - a[q]) * (c[p] - a[p]);
-      const double m = n[i] * this->toArea[p] * this->toArea[q];
+      const double m = n[i] * this->toArea[(i + 1) % 3] * this->toArea[(i + 2) % 3];
       square += m * m;
     }
-    sums.volume.add(n[0] * a[0] + n[1] * a[1] + n[2] * a[2]);
+    sums.volume.add(dot(n, a));
     sums.area.add(std::sqrt(square));
   }
 

@@ -6,6 +6,7 @@
 #include <flipflop/PlaneFit.h>
 
 #include "Points/PointSource.h"
+#include "Points/Vector3.h"
 #include "Support/EngineCall.h"
 #include "Support/Threads.h"
 
@@ -38,14 +39,9 @@ bool isFinite(const Vector& p)
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
-double dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 void normalize(Vector& a)
 {
-  const double length = std::sqrt(dot(a, a));
+  const double length = lengthOf(a);
   for (std::size_t k = 0; length != 0.0 && k < 3; ++k)
   {
     a[k] /= length;
@@ -247,12 +243,8 @@ FittedPlane fitted(const PlaneSums& sums)
     plane.first[k] = (k == next ? 1.0 : 0.0) - normal[next] * normal[k];
   }
   normalize(plane.first);
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const std::size_t i = (k + 1) % 3;
-    const std::size_t j = (k + 2) % 3;
-    plane.second[k] = normal[i] * plane.first[j] - normal[j] * plane.first[i];
-  }
+  const Vector3 second = cross(normal, plane.first);
+  std::copy_n(second.x, 3, plane.second.begin());
 
   // The foot of the starting point on the plane.
   const double height = dot(mean, normal);
@@ -377,7 +369,7 @@ Buffer<double> positionsInPlane(
       visitAtOnce(points, options,
         [&](std::int64_t i, const Vector& p)
         {
-          const Vector d{ p[0] - plane.start[0], p[1] - plane.start[1], p[2] - plane.start[2] };
+          const Vector3 d = subtract(p, plane.start);
           const bool finite = isFinite(p);
           double* const position = positions.data() + 2 * i;
           position[0] = finite ? dot(d, plane.first) : NaN;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Query/FarthestPair.h"
 
+#include "Points/Vector3.h"
 #include "Predicates/ErrorBounds.h"
 #include "Predicates/WideSigns.h"
 #include "Query/UnitFrame.h"
@@ -51,7 +52,7 @@ public:
         for (std::uint32_t i = this->tree->begin(node); i < this->tree->end(node); ++i)
         {
           const double* const x = this->at(this->tree->item(i));
-          most = std::max(most, x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+          most = std::max(most, dot(x, x));
         }
       }
       this->reach[node] = most;
@@ -111,10 +112,8 @@ private:
 
   double squareOf(const CornerPair& pair) const
   {
-    const double* const a = this->at(pair.first);
-    const double* const b = this->at(pair.second);
-    const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-    return x * x + y * y + z * z;
+    const Vector3 way = subtract(this->at(pair.first), this->at(pair.second));
+    return dot(way, way);
   }
 
   /// No pair of corners from two boxes is farther apart; the square.

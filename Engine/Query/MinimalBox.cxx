@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Query/MinimalBox.h"
 
-#include "Geometry/HullCones.h"
+#include "Points/Vector3.h"
 #include "Predicates/ErrorBounds.h"
 #include "Query/FacetPlane.h"
 #include "Query/LeastRectangle.h"
@@ -19,27 +19,18 @@ namespace flipflop
 namespace
 {
 
-using detail::cross;
-using detail::dot;
-using detail::subtract;
-
-struct Vector
-{
-  double x[3];
-};
-
 /// Three axes at right angles, and the volume of the box along them, in units of 2^-1000: that of a
 /// thin hull may be less than any double.
 struct Candidate
 {
-  double axis[3][3];
+  Vector3 axis[3];
   double volume = HUGE_VAL;
 };
 
 /// @return false where the vector is too short to have a direction
-bool normalise(double* v)
+bool normalise(Vector3& v)
 {
-  const double length = std::sqrt(dot(v, v));
+  const double length = lengthOf(v);
   for (int i = 0; i < 3 && length > 1e-12; ++i)
   {
     v[i] /= length;
@@ -48,22 +39,22 @@ bool normalise(double* v)
 }
 
 /// Two axes next to a given one.
-void complete(const double* axis, double* second, double* third)
+void complete(const Vector3& axis, Vector3& second, Vector3& third)
 {
   int least = 0;
   for (int i = 1; i < 3; ++i)
   {
     least = std::fabs(axis[i]) < std::fabs(axis[least]) ? i : least;
   }
-  double unit[3] = { 0, 0, 0 };
+  Vector3 unit = { { 0, 0, 0 } };
   unit[least] = 1;
-  cross(axis, unit, second);
+  second = cross(axis, unit);
   normalise(second);
-  cross(axis, second, third);
+  third = cross(axis, second);
 }
 
 /// Make the first two axes orthonormal again, and the third their product.
-void square(double (*axis)[3])
+void square(Vector3* axis)
 {
   normalise(axis[0]);
   const double along = dot(axis[0], axis[1]);
@@ -72,7 +63,7 @@ void square(double (*axis)[3])
     axis[1][i] -= along * axis[0][i];
   }
   normalise(axis[1]);
-  cross(axis[0], axis[1], axis[2]);
+  axis[2] = cross(axis[0], axis[1]);
   normalise(axis[2]);
 }
 
@@ -102,8 +93,8 @@ public:
   Candidate search()
   {
     this->choosePoints();
-    std::vector<Vector> directions = this->facetNormals();
-    const std::vector<Vector> edges = this->edgeDirections();
+    std::vector<Vector3> directions = this->facetNormals();
+    const std::vector<Vector3> edges = this->edgeDirections();
     directions.insert(directions.end(), edges.begin(), edges.end());
     this->addSpread(directions);
     std::vector<Candidate> found(directions.size());
@@ -113,7 +104,7 @@ public:
       {
         for (std::size_t i = begin; i < end; ++i)
         {
-          found[i] = this->around(this->points, directions[i].x);
+          found[i] = this->around(this->points, directions[i]);
         }
         this->monitor.advance(static_cast<std::int64_t>(end - begin));
       });
@@ -127,7 +118,7 @@ public:
       found.size(), [&](std::size_t i) { found[i] = this->byTurns(this->points, found[i]); });
 
     // So far among some of the corners, where they are many.
-    const std::vector<Vector> all = this->allPoints();
+    const std::vector<Vector3> all = this->allPoints();
     Candidate best = straight(all);
     for (Candidate& candidate : found)
     {
@@ -142,7 +133,7 @@ private:
   static constexpr std::size_t ManyDirections = 1000;
   static constexpr std::size_t FewEdges = 64;
 
-  using Points = std::vector<Vector>;
+  using Points = std::vector<Vector3>;
 
   Points allPoints() const
   {
@@ -162,11 +153,11 @@ private:
     {
       return;
     }
-    std::vector<Vector> directions;
+    std::vector<Vector3> directions;
     spread(ManyPoints, directions);
     std::vector<std::uint32_t> chosen;
     const DirectionMap& map = this->hull.directions(this->monitor);
-    for (const Vector& d : directions)
+    for (const Vector3& d : directions)
     {
       chosen.push_back(map.farthest(d.x));
     }
@@ -181,7 +172,7 @@ private:
   }
 
   /// Directions all around, evenly: points of a spiral on the sphere.
-  static void spread(std::size_t count, std::vector<Vector>& directions)
+  static void spread(std::size_t count, std::vector<Vector3>& directions)
   {
     // Each is turned from the one before by the golden angle.
     constexpr double Cosine = -0.7373688780783197;
@@ -199,7 +190,7 @@ private:
     }
   }
 
-  void addSpread(std::vector<Vector>& directions) const
+  void addSpread(std::vector<Vector3>& directions) const
   {
     directions.push_back({ { 1, 0, 0 } });
     directions.push_back({ { 0, 1, 0 } });
@@ -207,9 +198,9 @@ private:
     spread(100, directions);
   }
 
-  std::vector<Vector> facetNormals() const
+  std::vector<Vector3> facetNormals() const
   {
-    std::vector<Vector> normals;
+    std::vector<Vector3> normals;
     const Buffer<Triangle>& triangles = this->hull.polyhedron().triangles;
     const std::size_t step = chunkCount(triangles.size(), ManyDirections);
     for (std::size_t t = 0; t < triangles.size(); t += step)
@@ -222,9 +213,9 @@ private:
     return normals;
   }
 
-  std::vector<Vector> edgeDirections() const
+  std::vector<Vector3> edgeDirections() const
   {
-    std::vector<Vector> edges;
+    std::vector<Vector3> edges;
     const Buffer<Triangle>& triangles = this->hull.polyhedron().triangles;
     const std::size_t step = chunkCount(triangles.size(), ManyDirections);
     for (std::size_t t = 0; t < triangles.size(); t += step)
@@ -233,9 +224,8 @@ private:
       {
         const std::uint32_t a = triangles[t].v[e];
         const std::uint32_t b = triangles[t].v[nextCorner(e)];
-        Vector edge;
-        subtract(this->frame.at(b), this->frame.at(a), edge.x);
-        if (a < b && normalise(edge.x))
+        Vector3 edge = subtract(this->frame.at(b), this->frame.at(a));
+        if (a < b && normalise(edge))
         {
           edges.push_back(edge);
         }
@@ -247,12 +237,12 @@ private:
   static double volumeOf(const Points& points, const Candidate& candidate)
   {
     double volume = 0x1p1000;
-    for (const double* axis : candidate.axis)
+    for (const Vector3& axis : candidate.axis)
     {
       Reach reach;
-      for (const Vector& p : points)
+      for (const Vector3& p : points)
       {
-        reach.add(dot(axis, p.x));
+        reach.add(dot(axis, p));
       }
       volume *= reach.high - reach.low;
     }
@@ -261,21 +251,21 @@ private:
 
   static Candidate straight(const Points& points)
   {
-    Candidate result = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
+    Candidate result = { { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } };
     result.volume = volumeOf(points, result);
     return result;
   }
 
   /// The least box with an axis along a unit vector.
-  static Candidate around(const Points& points, const double* axis)
+  static Candidate around(const Points& points, const Vector3& axis)
   {
-    double u[3], v[3];
+    Vector3 u, v;
     complete(axis, u, v);
     std::vector<PlanePoint> shadow;
     shadow.reserve(points.size());
-    for (const Vector& p : points)
+    for (const Vector3& p : points)
     {
-      shadow.push_back({ dot(u, p.x), dot(v, p.x) });
+      shadow.push_back({ dot(u, p), dot(v, p) });
     }
     const Rectangle rectangle = leastRectangle(shadow);
     Candidate result;
@@ -307,7 +297,7 @@ private:
   }
 
   /// Boxes with two sides, next to each other, along an edge each: turned about the first edge.
-  void tryPairs(const std::vector<Vector>& edges, std::vector<Candidate>& found) const
+  void tryPairs(const std::vector<Vector3>& edges, std::vector<Candidate>& found) const
   {
     if (edges.size() > FewEdges || this->points.size() > ManyPoints)
     {
@@ -321,7 +311,7 @@ private:
       {
         for (std::size_t j = 0; j < edges.size(); ++j)
         {
-          const Candidate candidate = this->aboutPair(edges[i].x, edges[j].x);
+          const Candidate candidate = this->aboutPair(edges[i], edges[j]);
           found[first + i] =
             candidate.volume < found[first + i].volume ? candidate : found[first + i];
         }
@@ -329,10 +319,10 @@ private:
       });
   }
 
-  Candidate aboutPair(const double* along, const double* other) const
+  Candidate aboutPair(const Vector3& along, const Vector3& other) const
   {
     constexpr int Turns = 48;
-    double u[3], v[3];
+    Vector3 u, v;
     complete(along, u, v);
     // A way around half the circle, from 0 to 2, by fractions: a quarter takes 1. (The last bits of
     // sines are not the same everywhere.)
@@ -349,7 +339,7 @@ private:
       {
         result.axis[0][i] = x * u[i] + y * v[i];
       }
-      cross(other, result.axis[0], result.axis[1]);
+      result.axis[1] = cross(other, result.axis[0]);
       if (normalise(result.axis[1]))
       {
         square(result.axis);
@@ -402,12 +392,9 @@ double leastVolume(const PreparedHull& hull)
   const Polyhedron& solid = hull.polyhedron();
   for (const Triangle& triangle : solid.triangles)
   {
-    double normal[3];
-    cross(frame.at(triangle.v[0]), frame.at(triangle.v[1]), normal);
-    sum += dot(normal, frame.at(triangle.v[2]));
+    sum += dot(cross(frame.at(triangle.v[0]), frame.at(triangle.v[1])), frame.at(triangle.v[2]));
   }
   // From a corner on: the farthest from it, from the line of the two, from the plane of the three.
-  double edge[3], normal[3];
   std::uint32_t four[4] = { 0, 0, 0, 0 };
   const auto farthest = [&](auto&& measure)
   {
@@ -415,28 +402,23 @@ double leastVolume(const PreparedHull& hull)
     double most = -1;
     for (std::uint32_t i = 0; i < hull.size(); ++i)
     {
-      double offset[3];
-      subtract(frame.at(i), frame.at(four[0]), offset);
-      const double size = measure(offset);
+      const double size = measure(subtract(frame.at(i), frame.at(four[0])));
       found = size > most ? i : found;
       most = std::max(most, size);
     }
     largest = most;
     return found;
   };
-  four[1] = farthest([](const double* v) { return dot(v, v); });
-  subtract(frame.at(four[1]), frame.at(four[0]), edge);
+  four[1] = farthest([](const Vector3& v) { return dot(v, v); });
+  const Vector3 edge = subtract(frame.at(four[1]), frame.at(four[0]));
   four[2] = farthest(
-    [&](const double* v)
+    [&](const Vector3& v)
     {
-      double turn[3];
-      cross(edge, v, turn);
+      const Vector3 turn = cross(edge, v);
       return dot(turn, turn);
     });
-  double second[3];
-  subtract(frame.at(four[2]), frame.at(four[0]), second);
-  cross(edge, second, normal);
-  four[3] = farthest([&](const double* v) { return std::fabs(dot(normal, v)); });
+  const Vector3 normal = cross(edge, subtract(frame.at(four[2]), frame.at(four[0])));
+  four[3] = farthest([&](const Vector3& v) { return std::fabs(dot(normal, v)); });
   const double byHull = sum / 6 - VolumeSlack * static_cast<double>(solid.triangles.size());
   int exponent = -3 * hull.scaleExponent();
   for (int i = 0; i < 3; ++i)
@@ -450,14 +432,14 @@ double leastVolume(const PreparedHull& hull)
 /// the third one is z.
 Candidate flatAxes(const PreparedHull& hull, const UnitFrame& frame)
 {
-  Candidate result = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
+  Candidate result = { { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } };
   if (hull.dimension() == 1)
   {
-    subtract(frame.at(1), frame.at(0), result.axis[0]);
+    result.axis[0] = subtract(frame.at(1), frame.at(0));
     normalise(result.axis[0]);
     if (hull.isInPlane())
     {
-      cross(result.axis[2], result.axis[0], result.axis[1]);
+      result.axis[1] = cross(result.axis[2], result.axis[0]);
     }
     else
     {
@@ -469,8 +451,9 @@ Candidate flatAxes(const PreparedHull& hull, const UnitFrame& frame)
   {
     const std::vector<std::uint32_t>& ring = hull.ring();
     const FacetPlane plane(hull.corner(ring[0]).x, hull.corner(ring[1]).x, hull.corner(ring[2]).x);
-    double u[3], v[3];
-    complete(plane.normal, u, v);
+    const Vector3 normal = { { plane.normal[0], plane.normal[1], plane.normal[2] } };
+    Vector3 u, v;
+    complete(normal, u, v);
     std::vector<PlanePoint> points;
     for (std::uint32_t i = 0; i < hull.size(); ++i)
     {
@@ -481,7 +464,7 @@ Candidate flatAxes(const PreparedHull& hull, const UnitFrame& frame)
     {
       result.axis[0][i] = rectangle.along[0] * u[i] + rectangle.along[1] * v[i];
     }
-    cross(plane.normal, result.axis[0], result.axis[1]);
+    result.axis[1] = cross(normal, result.axis[0]);
     square(result.axis);
   }
   return result;
@@ -527,7 +510,7 @@ OrientedBox minimalBoxOf(const PreparedHull& hull, Monitor& monitor)
   for (int i = 0; i < 3; ++i)
   {
     box.lengths[i] = std::ldexp(length[order[i]], unit);
-    std::copy(found.axis[order[i]], found.axis[order[i]] + 3, box.axes[i]);
+    std::copy_n(found.axis[order[i]].x, 3, box.axes[i]);
     const double x =
       middle[0] * found.axis[0][i] + middle[1] * found.axis[1][i] + middle[2] * found.axis[2][i];
     box.center[i] = frame.toCorners(x, i, hull.scaleExponent());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Query/SurfaceTree.h"
 
-#include "Geometry/HullCones.h"
+#include "Points/Vector3.h"
 #include "Predicates/ErrorBounds.h"
 #include "Query/FacetPlane.h"
 
@@ -14,9 +14,6 @@ namespace flipflop
 
 namespace
 {
-
-using detail::cross;
-using detail::dot;
 
 double sumOf(const double* v)
 {
@@ -33,9 +30,7 @@ double heightOver(const double* normal, const double* offset)
 /// length. It is off by less than LeftError |edge| |offset|.
 double leftOf(const double* normal, const double* edge, const double* offset)
 {
-  double turn[3];
-  cross(offset, edge, turn);
-  return dot(normal, turn);
+  return dot(normal, cross(offset, edge));
 }
 
 /// The point of a segment that is nearest to the frame's.
@@ -168,12 +163,12 @@ SurfaceTree::Element SurfaceTree::makeElement(const Corner* corner, bool isFlat)
   }
   const FacetPlane plane(corner[0].x, corner[1].x, corner[2].x);
   std::copy(plane.normal, plane.normal + 3, element.normal);
-  double u[3], v[3], w[3], turn[3];
+  double u[3], v[3];
   const OffsetFrame frame(corner[0].x, this->hullExponent);
   frame.offset(corner[1].x, u);
   frame.offset(corner[2].x, v);
-  detail::subtract(v, u, w);
-  cross(u, v, turn);
+  const Vector3 w = subtract(v, u);
+  const Vector3 turn = cross(u, v);
   const double longest = std::max({ dot(u, u), dot(v, v), dot(w, w) });
   element.isThin = !(dot(turn, turn) >= 0x1p-32 * longest * longest && longest >= 0x1p-120);
   return element;
@@ -199,7 +194,7 @@ void SurfaceTree::makeSlabs()
           slab.normal[i] += this->elements[slot].normal[i];
         }
       }
-      const double length = std::sqrt(dot(slab.normal, slab.normal));
+      const double length = lengthOf(slab.normal);
       for (double& n : slab.normal)
       {
         n = length > 1e-3 ? n / length : 0.0;
@@ -239,8 +234,7 @@ SurfaceTree::Nearest SurfaceTree::nearestOf(const Element& element, const Offset
     {
       continue;
     }
-    isOver = isOver &&
-      left > LeftError * std::sqrt(dot(edge, edge)) * std::sqrt(dot(offset[i], offset[i]));
+    isOver = isOver && left > LeftError * lengthOf(edge) * lengthOf(offset[i]);
     const OnSegment on = nearestOnSegment(edge, offset[i], offset[next]);
     if (on.square < nearest.square)
     {
@@ -272,7 +266,7 @@ std::uint32_t SurfaceTree::uphill(std::uint32_t t, int corner, const OffsetFrame
     double edge[3];
     frame.edge(at, other.corner[nextCorner(cornerOf(spoke))].x, edge);
     const double along = -dot(edge, offset);
-    const double slope = along > 0 ? along / std::sqrt(dot(edge, edge)) : 0.0;
+    const double slope = along > 0 ? along / lengthOf(edge) : 0.0;
     if (slope > steepest)
     {
       steepest = slope;

@@ -3,6 +3,7 @@
 #include "Run/Span.h"
 
 #include "Geometry/HullGeometry.h"
+#include "Points/Vector3.h"
 #include "Support/Parallel.h"
 
 #include <cmath>
@@ -70,10 +71,7 @@ private:
       ++this->span.dimension;
       this->span.ids[this->span.dimension] = bestVertex.id;
       this->corner[this->span.dimension] = bestVertex;
-      for (int i = 0; i < 3; ++i)
-      {
-        this->edge[this->span.dimension][i] = bestVertex.x[i] - this->corner[0].x[i];
-      }
+      this->edge[this->span.dimension] = subtract(bestVertex.x, this->corner[0].x);
     }
     return found;
   }
@@ -103,10 +101,7 @@ private:
   /// Some measure of how far p is from the span; overflow and underflow only make it a worse one.
   double distance(const Vertex& p) const
   {
-    const double u[3] = { p.x[0] - this->corner[0].x[0], p.x[1] - this->corner[0].x[1],
-      p.x[2] - this->corner[0].x[2] };
-    const double* const v = this->edge[1];
-    const double* const w = this->edge[2];
+    const Vector3 u = subtract(p.x, this->corner[0].x);
     switch (this->span.dimension)
     {
       case -1:
@@ -114,11 +109,12 @@ private:
       case 0:
         return largestOf(u[0], u[1], u[2]);
       case 1:
-        return largestOf(
-          u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+      {
+        const Vector3 n = cross(u, this->edge[1]);
+        return largestOf(n[0], n[1], n[2]);
+      }
       default:
-        return std::fabs(u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) +
-          u[2] * (v[0] * w[1] - v[1] * w[0]));
+        return std::fabs(dot(u, cross(this->edge[1], this->edge[2])));
     }
   }
 
@@ -128,7 +124,7 @@ private:
   bool checkFinite;
   Monitor& monitor;
   Vertex corner[4] = {};
-  double edge[4][3] = {}; ///< from the first corner
+  Vector3 edge[4] = {}; ///< from the first corner
 };
 
 }

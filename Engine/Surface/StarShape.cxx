@@ -3,6 +3,7 @@
 #include "Surface/StarShape.h"
 
 #include "Points/PointSource.h"
+#include "Points/Vector3.h"
 #include "Surface/LinearProgram.h"
 
 #include <algorithm>
@@ -86,9 +87,7 @@ bool isInsideOut(const Polyhedron& polyhedron)
     {
       unit.map(polyhedron.vertices[t.v[k]], x[k]);
     }
-    volume += x[0][0] * (x[1][1] * x[2][2] - x[1][2] * x[2][1]) +
-      x[0][1] * (x[1][2] * x[2][0] - x[1][0] * x[2][2]) +
-      x[0][2] * (x[1][0] * x[2][1] - x[1][1] * x[2][0]);
+    volume += dot(x[0], cross(x[1], x[2]));
   }
   return volume < 0;
 }
@@ -116,17 +115,12 @@ bool seekKernel(const Polyhedron& polyhedron, double* coarse, double* fine)
   constraints.reserve(polyhedron.triangles.size());
   for (const Triangle& t : polyhedron.triangles)
   {
-    double a[3], b[3], c[3], n[3];
+    double a[3], b[3], c[3];
     unit.map(polyhedron.vertices[t.v[0]], a);
     unit.map(polyhedron.vertices[t.v[1]], b);
     unit.map(polyhedron.vertices[t.v[2]], c);
-    for (int i = 0; i < 3; ++i)
-    {
-      const int p = (i + 1) % 3;
-      const int q = (i + 2) % 3;
-      n[i] = (b[p] - a[p]) * (c[q] - a[q]) - (b[q] - a[q]) * (c[p] - a[p]);
-    }
-    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    const Vector3 n = cross(subtract(b, a), subtract(c, a));
+    const double length = lengthOf(n);
     if (length > 0)
     {
       HalfSpace<4> h;
