@@ -15,6 +15,7 @@
 
 #include "Predicates/DoubleDouble.h"
 #include "Predicates/ErrorBounds.h"
+#include "Support/PowersOfTwo.h"
 #include <flipflop/Error.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -271,12 +272,11 @@ private:
 
   Integer integer(double value, int degree) const
   {
-    int binary = 0;
-    const double fraction = std::frexp(value, &binary);
-    Integer result = static_cast<std::int64_t>(std::ldexp(fraction, 53));
+    const ScaledInteger scaled = scaledInteger(value);
+    Integer result = scaled.integer;
     if (result != 0)
     {
-      result <<= binary - 53 - degree * this->exponent;
+      result <<= scaled.exponent - degree * this->exponent;
     }
     return result;
   }

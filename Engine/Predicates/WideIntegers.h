@@ -6,10 +6,9 @@
 #ifndef flipflop_WideIntegers_h
 #define flipflop_WideIntegers_h
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include "Support/PowersOfTwo.h"
 
-#include <cmath>
-#include <cstdint>
+#include <boost/multiprecision/cpp_int.hpp>
 
 namespace flipflop
 {
@@ -19,10 +18,9 @@ using WideInteger = boost::multiprecision::cpp_int;
 /// value * 2^1074.
 inline WideInteger toInteger(double value)
 {
-  int exponent = 0;
-  const double fraction = std::frexp(value, &exponent); // value = fraction * 2^exponent
-  WideInteger result = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-  const int shift = exponent - 53 + 1074;
+  const ScaledInteger scaled = scaledInteger(value);
+  WideInteger result = scaled.integer;
+  const int shift = scaled.exponent + 1074;
   // Of a denormal's 53 bits those below 2^-1074 are zero.
   shift >= 0 ? result <<= shift : result >>= -shift;
   return result;
@@ -47,17 +45,6 @@ inline WideInteger liftedOffset(const double* p, const double* a, int axis)
     height -= wideOffset(p, a, i) * (toInteger(p[i]) + toInteger(a[i]));
   }
   return height;
-}
-
-/// The power distance of q from a, less that from b, in squares of the unit.
-inline WideInteger wideDifferenceOfPowers(const double* q, const double* a, const double* b)
-{
-  WideInteger result = wideOffset(b, a, 2) << 1074;
-  for (int i = 0; i < 2; ++i)
-  {
-    result += wideOffset(a, b, i) * (wideOffset(a, q, i) + wideOffset(b, q, i));
-  }
-  return result;
 }
 
 }

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Each sign is one formula over differences of coordinates, or of coordinates and heights.
 #include "Predicates/WideSigns.h"
 
 #include "Predicates/WideIntegers.h"
@@ -11,80 +13,75 @@ namespace
 {
 
 using Integer = WideInteger;
-using flipflop::wideOffset;
+using Offset = Integer (*)(const double* point, const double* origin, int axis);
 
+/// Of the sum of a row's points.
 template <int Count>
-Integer wideOffset(const DeterminantRow<Count>& row, const double* origin, int axis)
+Integer offsetOf(Offset offset, const DeterminantRow<Count>& row, const double* origin, int axis)
 {
   Integer result = 0;
   for (const double* point : row.point)
   {
-    result += wideOffset(point, origin, axis);
+    result += offset(point, origin, axis);
   }
   return result;
 }
 
-int signOfDeterminant(const Integer* u, const Integer* v, const Integer* w)
+template <int Count>
+int signOfOrient3(
+  Offset offset, const double* a, const double* b, const double* c, const DeterminantRow<Count>& d)
 {
+  Integer u[3], v[3], w[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    u[i] = offset(b, a, i);
+    v[i] = offset(c, a, i);
+    w[i] = offsetOf(offset, d, a, i);
+  }
   const Integer det = (u[1] * v[2] - u[2] * v[1]) * w[0] + (u[2] * v[0] - u[0] * v[2]) * w[1] +
     (u[0] * v[1] - u[1] * v[0]) * w[2];
   return det.sign();
 }
 
 template <int Count>
-int wideOrient3(const double* a, const double* b, const double* c, const DeterminantRow<Count>& d)
-{
-  Integer u[3], v[3], w[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    u[i] = wideOffset(b, a, i);
-    v[i] = wideOffset(c, a, i);
-    w[i] = wideOffset(d, a, i);
-  }
-  return signOfDeterminant(u, v, w);
-}
-
-template <int Count>
-int wideOrient2(const double* a, const double* b, const DeterminantRow<Count>& c, int p, int q)
+int signOfOrient2(
+  Offset offset, const double* a, const double* b, const DeterminantRow<Count>& c, int p, int q)
 {
   const Integer det =
-    wideOffset(b, a, p) * wideOffset(c, a, q) - wideOffset(b, a, q) * wideOffset(c, a, p);
+    offset(b, a, p) * offsetOf(offset, c, a, q) - offset(b, a, q) * offsetOf(offset, c, a, p);
   return det.sign();
 }
 
 }
 
+template <int Count>
 int WideSigns::orient3(
-  const double* a, const double* b, const double* c, const DeterminantRow<1>& d)
+  const double* a, const double* b, const double* c, const DeterminantRow<Count>& d)
 {
-  return wideOrient3(a, b, c, d);
+  return signOfOrient3(wideOffset, a, b, c, d);
 }
 
-int WideSigns::orient3(
-  const double* a, const double* b, const double* c, const DeterminantRow<4>& d)
+template <int Count>
+int WideSigns::orient2(
+  const double* a, const double* b, const DeterminantRow<Count>& c, int p, int q)
 {
-  return wideOrient3(a, b, c, d);
+  return signOfOrient2(wideOffset, a, b, c, p, q);
 }
 
-int WideSigns::orient2(const double* a, const double* b, const DeterminantRow<1>& c, int p, int q)
+template <int Count>
+int WideSigns::compare(const double* a, const DeterminantRow<Count>& b, int p)
 {
-  return wideOrient2(a, b, c, p, q);
+  return -offsetOf(wideOffset, b, a, p).sign();
 }
 
-int WideSigns::orient2(const double* a, const double* b, const DeterminantRow<4>& c, int p, int q)
-{
-  return wideOrient2(a, b, c, p, q);
-}
-
-int WideSigns::compare(const double* a, const DeterminantRow<1>& b, int p)
-{
-  return -wideOffset(b, a, p).sign();
-}
-
-int WideSigns::compare(const double* a, const DeterminantRow<4>& b, int p)
-{
-  return -wideOffset(b, a, p).sign();
-}
+using Point = DeterminantRow<1>;
+using FourPoints = DeterminantRow<4>;
+template int WideSigns::orient3(const double*, const double*, const double*, const Point&);
+template int WideSigns::orient3(const double*, const double*, const double*, const FourPoints&);
+template int WideSigns::orient2(const double*, const double*, const Point&, int, int);
+template int WideSigns::orient2(const double*, const double*, const FourPoints&, int, int);
+template int WideSigns::compare(const double*, const Point&, int);
+template int WideSigns::compare(const double*, const FourPoints&, int);
 
 int WideSigns::along(const double* d, const double* a, const double* b)
 {
@@ -111,33 +108,29 @@ int WideSigns::compareDistances(const double* a, const double* b, const double* 
 int WideLiftedSigns::orient3(
   const double* a, const double* b, const double* c, const DeterminantRow<1>& d)
 {
-  Integer u[3], v[3], w[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    u[i] = liftedOffset(b, a, i);
-    v[i] = liftedOffset(c, a, i);
-    w[i] = liftedOffset(d.point[0], a, i);
-  }
-  return signOfDeterminant(u, v, w);
+  return signOfOrient3(liftedOffset, a, b, c, d);
 }
 
 int WideLiftedSigns::orient2(
   const double* a, const double* b, const DeterminantRow<1>& c, int p, int q)
 {
-  const double* const d = c.point[0];
-  const Integer det =
-    liftedOffset(b, a, p) * liftedOffset(d, a, q) - liftedOffset(b, a, q) * liftedOffset(d, a, p);
-  return det.sign();
-}
-
-int WideLiftedSigns::comparePowers(const double* q, const double* a, const double* b)
-{
-  return wideDifferenceOfPowers(q, a, b).sign();
+  return signOfOrient2(liftedOffset, a, b, c, p, q);
 }
 
 int WideLiftedSigns::compare(const double* a, const DeterminantRow<1>& b, int p)
 {
-  return -liftedOffset(b.point[0], a, p).sign();
+  return -offsetOf(liftedOffset, b, a, p).sign();
+}
+
+/// Of the power distance of q from a, less that from b.
+int WideLiftedSigns::comparePowers(const double* q, const double* a, const double* b)
+{
+  Integer sum = wideOffset(b, a, 2) << 1074; // the squares' unit
+  for (int i = 0; i < 2; ++i)
+  {
+    sum += wideOffset(a, b, i) * (wideOffset(a, q, i) + wideOffset(b, q, i));
+  }
+  return sum.sign();
 }
 
 }

@@ -14,12 +14,14 @@ namespace flipflop
 
 struct WideSigns
 {
-  static int orient3(const double* a, const double* b, const double* c, const DeterminantRow<1>& d);
-  static int orient3(const double* a, const double* b, const double* c, const DeterminantRow<4>& d);
-  static int orient2(const double* a, const double* b, const DeterminantRow<1>& c, int p, int q);
-  static int orient2(const double* a, const double* b, const DeterminantRow<4>& c, int p, int q);
-  static int compare(const double* a, const DeterminantRow<1>& b, int p);
-  static int compare(const double* a, const DeterminantRow<4>& b, int p);
+  template <int Count>
+  static int orient3(
+    const double* a, const double* b, const double* c, const DeterminantRow<Count>& d);
+  template <int Count>
+  static int orient2(
+    const double* a, const double* b, const DeterminantRow<Count>& c, int p, int q);
+  template <int Count>
+  static int compare(const double* a, const DeterminantRow<Count>& b, int p);
   static int along(const double* d, const double* a, const double* b);
   static int compareDistances(const double* a, const double* b, const double* c, const double* d);
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Query/PlaneValues.h"
 
+#include "Support/PowersOfTwo.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,8 +44,8 @@ public:
 
   WideInteger of(double x, int square = 1) const
   {
-    const Parts parts = partsOf(x);
-    return WideInteger(parts.mantissa) << (x == 0 ? 0 : parts.exponent - square * this->exponent);
+    const ScaledInteger parts = partsOf(x);
+    return WideInteger(parts.integer) << (x == 0 ? 0 : parts.exponent - square * this->exponent);
   }
   WideInteger offset(const double* p, const double* origin, int axis) const
   {
@@ -54,27 +56,20 @@ public:
 private:
   static constexpr int Nothing = 10000;
 
-  struct Parts
+  /// With an odd integer, or zero.
+  static ScaledInteger partsOf(double x)
   {
-    std::int64_t mantissa; ///< odd, or zero
-    int exponent;
-  };
-
-  static Parts partsOf(double x)
-  {
-    int exponent = 0;
-    auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
-    exponent -= 53;
+    ScaledInteger parts = scaledInteger(x);
     for (int step = 32; step > 0; step /= 2)
     {
       const std::int64_t unit = std::int64_t(1) << step;
-      while (mantissa != 0 && mantissa % unit == 0)
+      while (parts.integer != 0 && parts.integer % unit == 0)
       {
-        mantissa /= unit;
-        exponent += step;
+        parts.integer /= unit;
+        parts.exponent += step;
       }
     }
-    return { mantissa, exponent };
+    return parts;
   }
 
   void include(double x, int square)

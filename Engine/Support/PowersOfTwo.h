@@ -22,6 +22,21 @@ inline int exponentOf(double x)
   return biased > 0 ? biased - 1023 : std::ilogb(x); // a subnormal's bits begin lower
 }
 
+/// A number as an integer below 2^53 times a power of two.
+struct ScaledInteger
+{
+  std::int64_t integer;
+  int exponent;
+};
+
+/// @param x finite
+inline ScaledInteger scaledInteger(double x)
+{
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  return { static_cast<std::int64_t>(std::ldexp(fraction, 53)), exponent - 53 };
+}
+
 /// 2^exponent, from -1022 to 1023.
 inline double powerOfTwo(int exponent)
 {
