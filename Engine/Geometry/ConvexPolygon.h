@@ -1,17 +1,53 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A convex polygon in space: the axes in which it is seen, and where in its fan a point lies.
+/// A convex polygon: its corners among points, the axes in which it is seen in space, and where in
+/// its fan a point lies.
 #ifndef flipflop_ConvexPolygon_h
 #define flipflop_ConvexPolygon_h
 
 #include "Geometry/HullGeometry.h"
 #include "Points/Vertex.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace flipflop
 {
+
+/// Half of A. M. Andrew's monotone chain: appends points along a line to a chain, without those at
+/// which it does not turn as it must.
+/// @param turns bool (a, b, c): b stays, between a and c
+template <class Point, class Turns>
+void appendChain(const std::vector<Point>& points, const Turns& turns, std::vector<Point>& chain)
+{
+  const std::size_t base = chain.size();
+  for (const Point& point : points)
+  {
+    while (chain.size() >= base + 2 && !turns(chain[chain.size() - 2], chain.back(), point))
+    {
+      chain.pop_back();
+    }
+    chain.push_back(point);
+  }
+}
+
+/// The corners of the convex hull of points in the plane, counter-clockwise.
+/// @param points two or more, in their order by one coordinate, then the other; no two at one
+///               position
+template <class Point, class TurnsLeft>
+std::vector<Point> monotoneChain(std::vector<Point>& points, const TurnsLeft& turnsLeft)
+{
+  std::vector<Point> chain;
+  for (int half = 0; half < 2; ++half)
+  {
+    appendChain(points, turnsLeft, chain);
+    chain.pop_back(); // begins the other half
+    std::reverse(points.begin(), points.end());
+  }
+  return chain;
+}
 
 /// Two coordinates, in their order.
 struct PlaneAxes

@@ -6,6 +6,7 @@
 #define flipflop_PointSubset_h
 
 #include "Points/PointSource.h"
+#include "Support/Monitor.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -71,6 +72,24 @@ struct PointSubset
     }
   }
 };
+
+/// use(vertex) for every point, or every finite one.
+template <class Use>
+void eachFinite(const PointSource& source, bool checkFinite, Monitor& monitor, Use&& use)
+{
+  for (std::uint32_t id = 0; id < source.count(); ++id)
+  {
+    if ((id & 0xFFFF) == 0)
+    {
+      monitor.poll();
+    }
+    const Vertex v = source.vertex(id);
+    if (!checkFinite || isFinite(v.x))
+    {
+      use(v);
+    }
+  }
+}
 
 }
 

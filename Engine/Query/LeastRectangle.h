@@ -7,6 +7,8 @@
 #ifndef flipflop_LeastRectangle_h
 #define flipflop_LeastRectangle_h
 
+#include "Geometry/ConvexPolygon.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,28 +35,9 @@ inline std::vector<PlanePoint> chainAround(std::vector<PlanePoint>& points)
   {
     return points;
   }
-  std::vector<PlanePoint> chain;
-  for (int pass = 0; pass < 2; ++pass)
-  {
-    const std::size_t base = chain.size();
-    for (const PlanePoint& p : points)
-    {
-      while (chain.size() >= base + 2)
-      {
-        const PlanePoint& a = chain[chain.size() - 2];
-        const PlanePoint& b = chain.back();
-        if ((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0)
-        {
-          break;
-        }
-        chain.pop_back();
-      }
-      chain.push_back(p);
-    }
-    chain.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return chain;
+  return monotoneChain(points,
+    [](const PlanePoint& a, const PlanePoint& b, const PlanePoint& p)
+    { return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0; });
 }
 
 /// @param points one or more; they are sorted

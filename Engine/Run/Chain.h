@@ -5,9 +5,9 @@
 #ifndef flipflop_Chain_h
 #define flipflop_Chain_h
 
+#include "Geometry/ConvexPolygon.h"
 #include "Geometry/LiftedGeometry.h"
-#include "Points/PointSource.h"
-#include "Support/Monitor.h"
+#include "Points/PointSubset.h"
 #include <flipflop/Triangulation.h>
 
 #include <algorithm>
@@ -23,18 +23,7 @@ inline std::vector<Vertex> bestAlongLine(
   const PointSource& source, bool checkFinite, Monitor& monitor)
 {
   std::vector<Vertex> points;
-  for (std::uint32_t id = 0; id < source.count(); ++id)
-  {
-    if ((id & 0xFFFF) == 0)
-    {
-      monitor.poll();
-    }
-    const Vertex v = source.vertex(id);
-    if (!checkFinite || isFinite(v.x))
-    {
-      points.push_back(v);
-    }
-  }
+  eachFinite(source, checkFinite, monitor, [&points](const Vertex& v) { points.push_back(v); });
   const auto samePlanePosition = LiftedGeometry<true>::samePlanePosition;
   std::sort(points.begin(), points.end(),
     [samePlanePosition](const Vertex& a, const Vertex& b)
@@ -56,15 +45,11 @@ void chainOfPoints(const LiftedGeometry<Weighted>& geometry, const PointSource& 
   bool checkFinite, Monitor& monitor, Triangulation& result)
 {
   std::vector<Vertex> chain;
-  for (const Vertex& point : bestAlongLine(source, checkFinite, monitor))
-  {
-    while (
-      chain.size() >= 2 && !geometry.isAboveChord(chain[chain.size() - 2], chain.back(), point))
-    {
-      chain.pop_back();
-    }
-    chain.push_back(point);
-  }
+  appendChain(
+    bestAlongLine(source, checkFinite, monitor),
+    [&geometry](const Vertex& a, const Vertex& b, const Vertex& c)
+    { return geometry.isAboveChord(a, b, c); },
+    chain);
 
   std::vector<std::uint32_t> ids;
   for (const Vertex& v : chain)

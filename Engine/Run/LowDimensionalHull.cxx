@@ -3,6 +3,8 @@
 #include "Run/LowDimensionalHull.h"
 
 #include "Finish/Measure.h"
+#include "Geometry/ConvexPolygon.h"
+#include "Points/PointSubset.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,24 +44,6 @@ void setCells(Hull& hull, std::int64_t size)
   }
 }
 
-/// use(vertex) for every finite point.
-template <class Use>
-void eachFinite(const PointSource& source, bool checkFinite, Monitor& monitor, Use&& use)
-{
-  for (std::uint32_t id = 0; id < source.count(); ++id)
-  {
-    if ((id & 0xFFFF) == 0)
-    {
-      monitor.poll();
-    }
-    const Vertex v = source.vertex(id);
-    if (!checkFinite || isFinite(v.x))
-    {
-      use(v);
-    }
-  }
-}
-
 /// The two ends of points on a line, each the lowest id there.
 void lineHull(const PointSource& source, bool checkFinite, Monitor& monitor, Hull& hull)
 {
@@ -80,33 +64,20 @@ void lineHull(const PointSource& source, bool checkFinite, Monitor& monitor, Hul
   setCells(hull, 2);
 }
 
-/// The strict convex hull of points in the coordinates p, q (A. M. Andrew's monotone chain):
-/// counter-clockwise, the lowest id of each position.
-std::vector<Vertex> monotoneChain(
-  const HullGeometry& geometry, std::vector<Vertex>& points, int p, int q)
+/// The strict convex hull of points in two coordinates: counter-clockwise, the lowest id of each
+/// position.
+std::vector<Vertex> polygonAround(
+  const HullGeometry& geometry, std::vector<Vertex>& points, const PlaneAxes& axes)
 {
+  const int p = axes.p, q = axes.q;
   std::sort(points.begin(), points.end(), Before{ p, q });
   points.erase(
     std::unique(points.begin(), points.end(),
       [p, q](const Vertex& a, const Vertex& b) { return a.x[p] == b.x[p] && a.x[q] == b.x[q]; }),
     points.end());
-  std::vector<Vertex> chain;
-  for (int pass = 0; pass < 2; ++pass)
-  {
-    const std::size_t base = chain.size();
-    for (const Vertex& point : points)
-    {
-      while (chain.size() >= base + 2 &&
-        geometry.planar(chain[chain.size() - 2], chain.back(), point, p, q) <= 0)
-      {
-        chain.pop_back();
-      }
-      chain.push_back(point);
-    }
-    chain.pop_back(); // begins the other half
-    std::reverse(points.begin(), points.end());
-  }
-  return chain;
+  return monotoneChain(points,
+    [&](const Vertex& a, const Vertex& b, const Vertex& c)
+    { return geometry.planar(a, b, c, p, q) > 0; });
 }
 
 /// The hull of points in one plane, in the two coordinates in which their order is theirs seen from
@@ -114,17 +85,9 @@ std::vector<Vertex> monotoneChain(
 std::vector<Vertex> polygon(const HullGeometry& geometry, const PointSource& source,
   const Span& span, bool checkFinite, Monitor& monitor)
 {
-  const Vertex a = source.vertex(span.ids[0]);
-  const Vertex b = source.vertex(span.ids[1]);
-  const Vertex c = source.vertex(span.ids[2]);
-  int p = 0;
-  int q = 1;
-  if (geometry.planar(a, b, c, 0, 1) == 0)
-  {
-    const bool alongY = geometry.planar(a, b, c, 2, 0) != 0;
-    p = alongY ? 2 : 1;
-    q = alongY ? 0 : 2;
-  }
+  const PlaneAxes axes = planeAxes(
+    geometry, source.vertex(span.ids[0]), source.vertex(span.ids[1]), source.vertex(span.ids[2]));
+  const int p = axes.p, q = axes.q;
 
   // Extremes in eight directions; most points of most inputs are certainly inside their polygon.
   Vertex extreme[8];
@@ -147,7 +110,7 @@ std::vector<Vertex> polygon(const HullGeometry& geometry, const PointSource& sou
       any = true;
     });
   std::vector<Vertex> corners(extreme, extreme + 8);
-  const std::vector<Vertex> inner = monotoneChain(geometry, corners, p, q);
+  const std::vector<Vertex> inner = polygonAround(geometry, corners, axes);
 
   std::vector<Vertex> kept;
   eachFinite(source, checkFinite, monitor,
@@ -166,7 +129,7 @@ std::vector<Vertex> polygon(const HullGeometry& geometry, const PointSource& sou
         kept.push_back(v);
       }
     });
-  return monotoneChain(geometry, kept, p, q);
+  return polygonAround(geometry, kept, axes);
 }
 
 void measurePolygon(
@@ -200,33 +163,16 @@ void planeHull(
   }
   const std::size_t start = static_cast<std::size_t>(
     std::min_element(corners.begin(), corners.end(), byLowerId) - corners.begin());
-  std::vector<std::int64_t> ranks(n);
+  hull.cellSize = static_cast<std::int64_t>(n);
+  hull.connectivity.allocate(n);
   for (std::size_t i = 0; i < n; ++i)
   {
     const auto at = std::lower_bound(byId.begin(), byId.end(), corners[(start + i) % n], byLowerId);
-    ranks[i] = at - byId.begin();
+    hull.connectivity[i] = at - byId.begin();
   }
-  if (facets == FacetMode::Polygons)
+  if (facets == FacetMode::Triangles)
   {
-    hull.cellSize = static_cast<std::int64_t>(n);
-    hull.connectivity.allocate(n);
-    std::copy(ranks.begin(), ranks.end(), hull.connectivity.begin());
-    return;
-  }
-  // A fan from the lowest; its cells go by their second corner.
-  std::vector<std::pair<std::int64_t, std::int64_t>> fan;
-  for (std::size_t i = 2; i < n; ++i)
-  {
-    fan.emplace_back(ranks[i - 1], ranks[i]);
-  }
-  std::sort(fan.begin(), fan.end());
-  hull.cellSize = 3;
-  hull.connectivity.allocate(3 * fan.size());
-  for (std::size_t i = 0; i < fan.size(); ++i)
-  {
-    hull.connectivity[3 * i] = 0;
-    hull.connectivity[3 * i + 1] = fan[i].first;
-    hull.connectivity[3 * i + 2] = fan[i].second;
+    fanPolygons(hull);
   }
 }
 
