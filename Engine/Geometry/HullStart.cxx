@@ -145,7 +145,8 @@ OctahedralMap octahedralMapOf(const HullGeometry& geometry, const Polyhedron& po
     }
   }
   // Their Cholesky factor L, and its inverse: what that makes of the vertices has the moments of a
-  // ball. A thin axis is widened no more than a double of the extent resolves.
+  // ball. A thin axis is widened no more than a double of the extent resolves: Eigen's factors have
+  // no such floor.
   double factor[3][3];
   double inverse[3][3] = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } };
   for (int i = 0; i < 3; ++i)

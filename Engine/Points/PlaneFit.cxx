@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The normal is the axis of least spread: an eigenvector of a symmetric matrix, by Jacobi's
-/// rotations.
+/// rotations. Eigen has a solver, but the plane's last bits would be those of Eigen's version.
 #include <flipflop/PlaneFit.h>
 
 #include "Points/PointSource.h"
