@@ -23,9 +23,9 @@ BuildResult CpuBuilder<Geometry>::build(
   const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally, Statistics& statistics)
 {
   static_assert(isGeometry<Geometry>());
-  if constexpr (Geometry::IsPlanar)
+  if constexpr (Geometry::BuiltByParts)
   {
-    return triangulateByParts<!Geometry::AllExtreme>(task, tally, statistics);
+    return PartsBuilder<!Geometry::AllExtreme>::build(task, std::move(start), tally, statistics);
   }
   else
   {

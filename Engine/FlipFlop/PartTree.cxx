@@ -3,7 +3,6 @@
 #include "FlipFlop/PartTree.h"
 
 #include "Points/HilbertCurve.h"
-#include "Support/BucketSort.h"
 #include "Support/Parallel.h"
 
 #include <algorithm>
@@ -23,10 +22,8 @@ template <class AnyVertex>
 class Cutter
 {
 public:
-  Cutter(PartTree<AnyVertex>& treeToFill, const OctahedralMap& mapToUse, std::uint32_t most,
-    Monitor& monitorToUse)
+  Cutter(PartTree<AnyVertex>& treeToFill, std::uint32_t most, Monitor& monitorToUse)
     : tree(treeToFill)
-    , map(mapToUse)
     , mostPoints(most)
     , monitor(monitorToUse)
   {
@@ -39,12 +36,7 @@ public:
   {
     const auto count = static_cast<std::uint32_t>(this->tree.vertices.size() - 1);
     this->tree.nodes.push_back({ 1, 1 + count, 0, 0, 0 });
-    if (this->isAlongCurves(curve, count, pointAt))
-    {
-      // Larger parts. Those of a curve in space are nearly flat, and most of their signs are exact:
-      // none.
-      this->mostPoints = this->map.isOfDirections() ? count : 4 * this->mostPoints;
-    }
+    this->mostPoints *= isAlongCurves(curve, count, pointAt) ? 4 : 1;
     if (count <= this->mostPoints || curve.isPoint())
     {
       this->eachChunk(count,
@@ -63,37 +55,29 @@ public:
 private:
   /// Cells are so small that few parts are cut from within one.
   static constexpr std::uint32_t CellsPerPart = 8;
-  static constexpr int LeastCellBits = 4; ///< the squares of directions
+  static constexpr int LeastCellBits = 4;
   static constexpr int MostCellBits = 14;
 
-  /// Do the points lie along a few curves, so that few cells have any of a sample? Where triangles
-  /// reach across parts, each merge changes many of them, and many of all merges are of small
-  /// parts.
+  /// Do the points lie along a few curves, so that few cells have any of a sample? Parts are larger
+  /// then: where triangles reach across the parts, each merge changes many of them, and many of all
+  /// merges are of small parts.
   template <class PointAt>
-  bool isAlongCurves(const HilbertCurve& curve, std::uint32_t count, const PointAt& pointAt) const
+  static bool isAlongCurves(const HilbertCurve& curve, std::uint32_t count, const PointAt& pointAt)
   {
-    const int bits = this->map.isOfDirections() ? 12 : 10;
-    const std::uint32_t sampleSize = 4u << bits;
-    if (count < sampleSize)
+    constexpr int Bits = 10;
+    constexpr std::uint32_t SampleSize = 4 << Bits;
+    if (count < SampleSize)
     {
       return false;
     }
-    std::vector<bool> isMet(std::size_t(1) << bits);
-    const std::uint32_t step = count / sampleSize | 1; // odd: no grid's period
+    std::vector<bool> isMet(std::size_t(1) << Bits);
+    const std::uint32_t step = count / SampleSize | 1; // odd: no grid's period
     for (std::uint32_t i = 0; i < count; i += step)
     {
-      double uv[2];
-      this->map.map(pointAt(i).x, uv);
-      isMet[curve.at(uv) >> (32 - bits)] = true;
+      isMet[curve.at(pointAt(i).x) >> (32 - Bits)] = true;
     }
-    // Of directions, closed curves in space meet 8 % of the cells that have any, a cylinder 15.
-    const std::ptrdiff_t few = isMet.size() / (this->map.isOfDirections() ? 40 : 8);
-    return std::count(isMet.begin(), isMet.end(), true) < few;
+    return std::count(isMet.begin(), isMet.end(), true) < std::ptrdiff_t(isMet.size() / 8);
   }
-
-  /// So many times as many cells as points can be in: directions have half of the squares, and of
-  /// each a half.
-  std::uint32_t emptyShare() const { return this->map.isOfDirections() ? 4 : 1; }
 
   template <class Use>
   void eachChunk(std::uint32_t count, Use&& use)
@@ -112,12 +96,24 @@ private:
     const std::uint32_t begin = this->tree.nodes[node].begin;
     const std::uint32_t count = this->tree.nodes[node].end - begin;
     Buffer<AnyVertex> points(count);
+    std::vector<HilbertCurve> boxes(chunkCount(count, PointsPerTask));
     this->eachChunk(count,
-      [&](std::uint32_t from, std::uint32_t to, std::size_t) {
-        std::copy_n(this->tree.vertices.begin() + begin + from, to - from, points.begin() + from);
+      [&](std::uint32_t from, std::uint32_t to, std::size_t run)
+      {
+        HilbertCurve box;
+        for (std::uint32_t i = from; i < to; ++i)
+        {
+          points[i] = this->tree.vertices[begin + i];
+          box.add(points[i].x);
+        }
+        boxes[run] = box;
       });
-    const HilbertCurve curve = curveThrough(
-      count, this->monitor, [&](std::size_t i, double* uv) { this->map.map(points[i].x, uv); });
+    HilbertCurve curve;
+    for (const HilbertCurve& box : boxes)
+    {
+      curve.add(box);
+    }
+    curve.prepare();
     if (!curve.isPoint())
     {
       this->divide(node,
@@ -125,54 +121,49 @@ private:
     }
   }
 
-  /// Write vertices in the order of their cells, which are stretches of the curve; those that may
-  /// be in another come last.
+  /// Write vertices in the order of their cells, which are stretches of the curve.
   /// @param begin where
-  /// @return where the cells begin, and where the last one ends; empty, where these would be many
+  /// @return where the cells begin, and where the last one ends
   template <class PointAt>
   std::vector<std::uint32_t> sortIntoCells(
     const HilbertCurve& curve, std::uint32_t begin, std::uint32_t count, const PointAt& pointAt)
   {
     int bits = LeastCellBits;
-    while (
-      bits < MostCellBits && count >> bits > this->mostPoints / CellsPerPart / this->emptyShare())
+    while (bits < MostCellBits && count >> bits > this->mostPoints / CellsPerPart)
     {
       ++bits;
     }
     const std::size_t cells = std::size_t(1) << bits;
-    const std::size_t buckets = cells + 1; // the last of points that are in no part
     Buffer<std::uint16_t> cellOf(count);
-    BucketCursors cursors(buckets, chunkCount(count, PointsPerTask));
+    std::vector<std::uint32_t> cursor(chunkCount(count, PointsPerTask) * cells);
     this->eachChunk(count,
       [&](std::uint32_t from, std::uint32_t to, std::size_t run)
       {
         for (std::uint32_t i = from; i < to; ++i)
         {
-          double uv[2];
-          const double error = this->map.map(pointAt(i).x, uv);
-          const bool isIn = error == 0 || !curve.isNearBorder(uv, error, bits);
-          const std::size_t cell = isIn ? curve.at(uv) >> (32 - bits) : cells;
+          const std::uint32_t cell = curve.at(pointAt(i).x) >> (32 - bits);
           cellOf[i] = static_cast<std::uint16_t>(cell);
-          cursors.count(run, cell);
+          ++cursor[run * cells + cell];
         }
       });
-    std::vector<std::uint32_t> cellBegin = cursors.endCounting(begin);
-    const std::uint32_t end = cellBegin.back();
-    cellBegin.pop_back();
-    if (cellBegin.back() - begin < count - count / 8)
+    std::vector<std::uint32_t> cellBegin;
+    cellBegin.reserve(cells + 1);
+    std::uint32_t total = begin;
+    for (std::size_t cell = 0; cell < cells; ++cell)
     {
-      return {};
+      cellBegin.push_back(total);
+      for (std::size_t at = cell; at < cursor.size(); at += cells)
+      {
+        total += std::exchange(cursor[at], total);
+      }
     }
-    if (cellBegin.back() < end)
-    {
-      this->tree.out.push_back({ cellBegin.back(), end });
-    }
+    cellBegin.push_back(total);
     this->eachChunk(count,
       [&](std::uint32_t from, std::uint32_t to, std::size_t run)
       {
         for (std::uint32_t i = from; i < to; ++i)
         {
-          this->tree.vertices[cursors.next(run, cellOf[i])] = pointAt(i);
+          this->tree.vertices[cursor[run * cells + cellOf[i]]++] = pointAt(i);
         }
       });
     return cellBegin;
@@ -180,10 +171,7 @@ private:
 
   void divide(std::uint32_t node, const std::vector<std::uint32_t>& cellBegin)
   {
-    if (!cellBegin.empty())
-    {
-      this->divide(node, cellBegin, 0, static_cast<std::uint32_t>(cellBegin.size() - 1));
-    }
+    this->divide(node, cellBegin, 0, static_cast<std::uint32_t>(cellBegin.size() - 1));
   }
 
   /// Give a node the points of the cells from @p first on, before @p last: a power of two of them.
@@ -221,7 +209,6 @@ private:
   }
 
   PartTree<AnyVertex>& tree;
-  const OctahedralMap& map;
   std::uint32_t mostPoints;
   Monitor& monitor;
 };
@@ -230,8 +217,12 @@ private:
 
 template <class AnyVertex>
 PartTree<AnyVertex> cutIntoParts(const PointSource& source, const PointSubset& subset,
-  const OctahedralMap& map, const HilbertCurve& curve, std::uint32_t most, Monitor& monitor)
+  const CoordinateRange& box, std::uint32_t most, Monitor& monitor)
 {
+  HilbertCurve curve;
+  curve.add(box.low);
+  curve.add(box.high);
+  curve.prepare();
   PartTree<AnyVertex> tree;
   const auto vertexOf = [&source](std::uint32_t id)
   {
@@ -244,8 +235,8 @@ PartTree<AnyVertex> cutIntoParts(const PointSource& source, const PointSubset& s
       return withoutWeight(source.vertex(id));
     }
   };
-  Cutter<AnyVertex> cutter(tree, map, most, monitor);
-  if (!subset.checkFinite && !subset.ids && subset.excludedCount == 0)
+  Cutter<AnyVertex> cutter(tree, most, monitor);
+  if (!subset.checkFinite)
   {
     tree.vertices.allocate(std::size_t(subset.count) + 1);
     cutter.cutAll(curve, vertexOf);
@@ -267,9 +258,9 @@ PartTree<AnyVertex> cutIntoParts(const PointSource& source, const PointSubset& s
   return tree;
 }
 
-template PartTree<PlaneVertex> cutIntoParts(const PointSource&, const PointSubset&,
-  const OctahedralMap&, const HilbertCurve&, std::uint32_t, Monitor&);
-template PartTree<Vertex> cutIntoParts(const PointSource&, const PointSubset&, const OctahedralMap&,
-  const HilbertCurve&, std::uint32_t, Monitor&);
+template PartTree<PlaneVertex> cutIntoParts(
+  const PointSource&, const PointSubset&, const CoordinateRange&, std::uint32_t, Monitor&);
+template PartTree<Vertex> cutIntoParts(
+  const PointSource&, const PointSubset&, const CoordinateRange&, std::uint32_t, Monitor&);
 
 }

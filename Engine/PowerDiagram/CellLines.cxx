@@ -27,22 +27,23 @@ struct LineNumbers
   {
   }
 
+private:
   LineNumbers(const Arithmetic& k, const PowerSite& site, const PowerSite& other)
     : n{ k.difference(other.x[0], site.x[0]), k.difference(other.x[1], site.x[1]) }
     , c(n[0] * n[0] + n[1] * n[1] - k.difference(other.weight, site.weight, 2))
   {
+    this->n[0] = this->n[0] + this->n[0];
+    this->n[1] = this->n[1] + this->n[1];
   }
 
-private:
   LineNumbers(const Arithmetic& k, const PowerSite& site, const double* from, const double* to)
     : n{ k.difference(to[1], from[1]), k.difference(from[0], to[0]) }
     , c(n[0] * k.difference(from[0], site.x[0]) + n[1] * k.difference(from[1], site.x[1]))
   {
-    this->c = this->c + this->c;
   }
 };
 
-/// Two lines' meeting: twice the position, times the denominator, which is positive.
+/// Two lines' meeting: the position times the denominator, which is positive.
 template <class Arithmetic>
 struct Meeting
 {
@@ -59,28 +60,15 @@ struct Meeting
   }
 };
 
-template <class Arithmetic, class LineTo>
+template <class Arithmetic>
 bool meeting(
-  const Arithmetic& k, const PowerSite& site, const LineTo& a, const LineTo& b, double* result)
+  const Arithmetic& k, const PowerSite& site, const CellLine& a, const CellLine& b, double* result)
 {
   using Line = LineNumbers<Arithmetic>;
   const Meeting<Arithmetic> found(Line(k, site, a), Line(k, site, b));
-  const auto twice = found.denominator + found.denominator;
-  return k.positive(twice) && k.round(site.x[0], found.position[0], twice, result[0]) &&
-    k.round(site.x[1], found.position[1], twice, result[1]);
-}
-
-/// Positive where they ascend.
-int orderOf(double a, double b)
-{
-  return (a < b) - (b < a);
-}
-
-/// Nearly all centers come of this.
-FF_FLATTEN bool quickCenter(
-  const PowerSite& site, const PowerSite& b, const PowerSite& c, double* position)
-{
-  return meeting(BoundedArithmetic<>(), site, b, c, position);
+  return k.positive(found.denominator) &&
+    k.round(site.x[0], found.position[0], found.denominator, result[0]) &&
+    k.round(site.x[1], found.position[1], found.denominator, result[1]);
 }
 
 void addLine(ExponentRange& range, const CellLine& line)
@@ -119,33 +107,6 @@ void meetingOf(const PowerSite& site, const CellLine& a, const CellLine& b, doub
   position[1] += 0.0;
 }
 
-void centerOf(const PowerSite& site, const PowerSite& b, const PowerSite& c, double* position)
-{
-  if (!quickCenter(site, b, c, position))
-  {
-    meetingOf(site, { &b, nullptr, nullptr }, { &c, nullptr, nullptr }, position);
-  }
-  position[0] += 0.0; // -0 is 0
-  position[1] += 0.0;
-}
-
-int sideOfMeeting(
-  const PowerSite& site, const CellLine& a, const CellLine& b, const CellLine& third)
-{
-  return exactSign(
-    [&](const auto& k, int& sign)
-    {
-      using Arithmetic = std::decay_t<decltype(k)>;
-      using Line = LineNumbers<Arithmetic>;
-      const Meeting<Arithmetic> found(Line(k, site, a), Line(k, site, b));
-      const Line cut(k, site, third);
-      return k.sign(
-        cut.c * found.denominator - cut.n[0] * found.position[0] - cut.n[1] * found.position[1],
-        sign);
-    },
-    [&] { return rangeOfLines(site, a, b, third); });
-}
-
 CellCutter::CellCutter(const PowerSite& site, const PowerSite& other)
   : center(site)
   , own{ &other, nullptr, nullptr }
@@ -174,19 +135,25 @@ int CellCutter::signOfRounded(const double* x) const
   return isCertain ? (sum > 0 ? 1 : -1) : 0;
 }
 
+int CellCutter::sign(const CellLine& a, const CellLine& b) const
+{
+  return exactSign(
+    [&](const auto& k, int& sign)
+    {
+      using Arithmetic = std::decay_t<decltype(k)>;
+      using Line = LineNumbers<Arithmetic>;
+      const Meeting<Arithmetic> found(Line(k, this->center, a), Line(k, this->center, b));
+      const Line cut(k, this->center, this->own);
+      return k.sign(
+        cut.c * found.denominator - cut.n[0] * found.position[0] - cut.n[1] * found.position[1],
+        sign);
+    },
+    [&] { return rangeOfLines(this->center, a, b, this->own); });
+}
+
 int CellCutter::rise(const CellLine& edge) const
 {
-  // An edge's way is its normal, turned to the left; this is its product with the line's normal.
-  const double* const x = this->center.x;
-  const int right =
-    edge.other ? orderOf(edge.other->x[1], x[1]) : orderOf(edge.from[0], edge.to[0]);
-  const int up = edge.other ? orderOf(x[0], edge.other->x[0]) : orderOf(edge.from[1], edge.to[1]);
-  const int alongX = right * orderOf(x[0], this->own.other->x[0]);
-  const int alongY = up * orderOf(x[1], this->own.other->x[1]);
-  if (alongX * alongY >= 0)
-  {
-    return alongX != 0 ? alongX : alongY;
-  }
+  // An edge's way is its normal, turned to the left.
   return exactSign(
     [&](const auto& k, int& sign)
     {

@@ -9,7 +9,7 @@
 
 #include "Finish/Canonical.h"
 #include "Finish/Redundant.h"
-#include "FlipFlop/CurveInsertion.h"
+#include "FlipFlop/InsertionBuilder.h"
 #include "Geometry/GeometryConcept.h"
 #include "Geometry/HullGeometry.h"
 #include "Geometry/HullStart.h"
@@ -31,7 +31,7 @@ class RationalGeometry : public PredicateSteps<RationalGeometry>
 {
 public:
   static constexpr bool AllExtreme = false;
-  static constexpr bool IsPlanar = true;
+  static constexpr bool BuiltByParts = true;
 
   HullGeometry hull;
 
@@ -100,12 +100,7 @@ public:
   BuildResult build(const BuildTask<RationalGeometry>& task, Polyhedron&& start, Tally& tally,
     Statistics& statistics) override
   {
-    const std::vector<std::uint32_t> corners = start.pointIds();
-    PointSubset subset;
-    subset.count = task.source.count();
-    subset.exclude(corners);
-    const OctahedralMap map = octahedralMapOf(task.geometry, start);
-    return insertAlongCurve(task, std::move(start), subset, map, 0.1, 0.9, tally, statistics);
+    return InsertionBuilder<RationalGeometry>::build(task, std::move(start), tally, statistics);
   }
 };
 
