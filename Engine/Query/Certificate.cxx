@@ -105,7 +105,7 @@ private:
     const HullLocator locator(std::as_const(this->run.geometry), solid.triangles.data(),
       solid.triangleCount(), solid.vertices.data(), this->run.monitor);
     this->nameCells(
-      [&](const HullGeometry& local, const Vertex& p)
+      [&](const HullGeometry& local, const Vertex& p) -> std::int64_t
       {
         const std::uint32_t start = locator.near(p, locator.cellOf(p.x));
         return this->given.cellOf[locator.locate(local, p, start)];
