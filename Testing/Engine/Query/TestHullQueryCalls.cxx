@@ -70,6 +70,28 @@ TEST(HullQueryCalls, HullsThatAreNotOfThePoints)
   expectError([&] { cellNeighbors(crowded); }, ErrorCode::BadArgument, -1);
 }
 
+TEST(HullQueryCalls, CertificatesNameNoCellForPointsThatAreNotFinite)
+{
+  for (const Cloud& finite :
+    { integerGrid(3), integerGrid(1), Cloud{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } } })
+  {
+    Cloud cloud = finite;
+    cloud.insert(cloud.begin(), { nan, 0, 0 });
+    cloud.push_back({ 0, infinity, 0 });
+    Options options;
+    options.nonFinite = NonFinitePolicy::Ignore;
+    const Hull hull = convexHull(viewOf(cloud), options);
+    const Certificate found = certificate(viewOf(cloud), hull, options);
+    ASSERT_EQ(found.cells.size(), cloud.size());
+    EXPECT_EQ(found.cells[0], -1);
+    EXPECT_EQ(found.cells[cloud.size() - 1], -1);
+    for (std::size_t i = 1; i + 1 < cloud.size(); ++i)
+    {
+      EXPECT_TRUE(found.cells[i] >= 0 && found.cells[i] < hull.cellCount()) << i;
+    }
+  }
+}
+
 TEST(HullQueryCalls, ArraysThatAreNotThere)
 {
   const HullQueries hull(viewOf(cube), hullOf(cube, FacetMode::Triangles));
