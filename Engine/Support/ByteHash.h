@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// A hash of bytes, by which files and saved blocks show damage. It is a part of their format, so
-/// it is the same in all builds, which std::hash is not: MurmurHash64A (A. Appleby, 2008).
+/// it is the same in all builds of one byte order, which std::hash is not: MurmurHash64A
+/// (A. Appleby, 2008).
 #ifndef flipflop_ByteHash_h
 #define flipflop_ByteHash_h
 
