@@ -238,7 +238,7 @@ struct Check : FlipKernel<Geometry, Data>
 {
   static constexpr const char* Name = "check";
   // Four vertices and two triangles are many registers, and the filter in the plane takes more.
-  static constexpr unsigned LeastBlocks = Geometry::BuiltByParts ? 3 : 0;
+  static constexpr unsigned LeastBlocks = Geometry::IsPlanar ? 3 : 0;
   static constexpr int Bytes = 4 + 4 * 32 + 6 * 32 + 8 + 2 * 8;
   RoundRecord* record;         ///< of the round before; null: nobody reads it
   using Local = std::uint32_t; ///< edges examined

@@ -11,14 +11,15 @@
 /// first round is of few points, a sample's or all: they start from a tetrahedron, by quickhull.
 ///
 /// Growing wins by what it drops, and does without an order. Where the sample's hull leaves most
-/// points outside, most are vertices: these are inserted along a curve (InsertionBuilder), at a few
+/// points outside, most are vertices: these are inserted by parts (PartsBuilder.h), at a few
 /// flips each wherever they lie, as long as the walks are short. Along curves, the points outside
 /// are inserted so, too: growing would cost flips that grow with their number.
 #ifndef flipflop_Builder_h
 #define flipflop_Builder_h
 
 #include "FlipFlop/Associate.h"
-#include "FlipFlop/InsertionBuilder.h"
+#include "FlipFlop/CurveInsertion.h"
+#include "FlipFlop/PartsBuilder.h"
 #include "FlipFlop/Patches.h"
 #include "FlipFlop/PolyhedronBuilder.h"
 #include "FlipFlop/Quickhull.h"
@@ -246,13 +247,46 @@ private:
       steps < LongWalk * static_cast<std::int64_t>(inOrder.size());
   }
 
+  /// By parts, where there are enough points: all of them, the base's again. Else, and what parts
+  /// leave out, one after another.
   /// @param base a convex polyhedron without gaps
   /// @param last there is no round to come
   static Polyhedron insert(const BuildTask<Geometry>& task, Polyhedron&& base,
     const PointSubset& subset, bool last, Tally& tally, Statistics& statistics)
   {
-    return InsertionBuilder<Geometry>::insert(
-      task, std::move(base), subset, last ? 0.15 : 0.1, last ? 0.9 : 0.15, tally, statistics);
+    const double from = last ? 0.15 : 0.1;
+    const double to = last ? 0.9 : 0.15;
+    const OctahedralMap map = octahedralMapOf(task.geometry, base);
+    if (partsPay(task.geometry, subset.count))
+    {
+      const std::vector<std::uint32_t> own = base.pointIds();
+      std::vector<std::uint32_t> ids;
+      std::vector<std::uint32_t> excluded;
+      std::set_difference(subset.excluded, subset.excluded + subset.excludedCount, own.begin(),
+        own.end(), std::back_inserter(excluded));
+      PointSubset all = subset;
+      all.exclude(excluded);
+      if (subset.ids)
+      {
+        std::set_union(
+          subset.ids, subset.ids + subset.count, own.begin(), own.end(), std::back_inserter(ids));
+        all.ids = ids.data();
+        all.count = static_cast<std::uint32_t>(ids.size());
+      }
+      std::vector<std::uint32_t> out;
+      Polyhedron whole = hullByParts(task, all, map, from, to, out, tally, statistics);
+      if (whole.vertexCount() > 0)
+      {
+        tally.statistics.insertions -= base.vertexCount();
+        PointSubset remaining;
+        remaining.ids = out.data();
+        remaining.count = static_cast<std::uint32_t>(out.size());
+        return out.empty() ? std::move(whole)
+                           : insertAlongCurve(task, compact(std::move(whole)), remaining, map, to,
+                               to, tally, statistics);
+      }
+    }
+    return insertAlongCurve(task, std::move(base), subset, map, from, to, tally, statistics);
   }
 
   /// @param base a convex polyhedron without gaps

@@ -17,7 +17,7 @@ template <class Geometry>
 class CpuBuilder : public PolyhedronBuilder<Geometry>
 {
 public:
-  bool startsFromPoints() const override { return Geometry::BuiltByParts; } // by PartsBuilder
+  bool startsFromPoints() const override { return Geometry::IsPlanar; } // by PartsBuilder
 
   /// By PartsBuilder in the plane, by Builder in space.
   BuildResult build(const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally,

@@ -23,9 +23,9 @@ BuildResult CpuBuilder<Geometry>::build(
   const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally, Statistics& statistics)
 {
   static_assert(isGeometry<Geometry>());
-  if constexpr (Geometry::BuiltByParts)
+  if constexpr (Geometry::IsPlanar)
   {
-    return PartsBuilder<!Geometry::AllExtreme>::build(task, std::move(start), tally, statistics);
+    return triangulateByParts<!Geometry::AllExtreme>(task, tally, statistics);
   }
   else
   {

@@ -28,6 +28,12 @@
 namespace flipflop
 {
 
+/// Of a mesh that is one patch.
+struct NoneShared
+{
+  bool operator()(std::uint32_t) const { return false; }
+};
+
 /// @tparam Geometry a model of the geometry concept (GeometryConcept.h).
 /// @tparam Shared   bool operator()(std::uint32_t vertex): may other patches read this vertex's
 /// label?
@@ -178,9 +184,6 @@ public:
       ensure(!this->mesh.isBorder(spoke) && this->mesh.origin(spoke) == origin);
     } while (spoke != h);
   }
-
-  /// May other patches read this vertex's label?
-  bool isShared(std::uint32_t vertex) const { return this->shared(vertex); }
 
   /// Follow a vertex through the flips to come, from one of its triangles on.
   void follow(std::uint32_t vertex, std::uint32_t triangle)

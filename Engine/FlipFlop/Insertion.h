@@ -25,18 +25,18 @@ namespace flipflop
 {
 
 /// @tparam Geometry a model of the geometry concept (GeometryConcept.h)
-/// @tparam Shared   see Flipper
-template <class Geometry, class Shared>
+template <class Geometry>
 class Insertion
 {
 public:
+  using LocalFlipper = Flipper<Geometry, NoneShared>;
+
   /// @param generalFlipper takes note of duplicates, too
   /// @param firstTriangle from which the first walk starts
   /// @param firstFree     new triangles go to this slot and up, two an insertion
   /// @param mostTriangles no more are there to walk through
-  Insertion(const Geometry& geometryToUse, const Mesh& meshToGrow,
-    Flipper<Geometry, Shared>& generalFlipper, std::uint32_t firstTriangle, std::uint32_t firstFree,
-    std::uint32_t mostTriangles)
+  Insertion(const Geometry& geometryToUse, const Mesh& meshToGrow, LocalFlipper& generalFlipper,
+    std::uint32_t firstTriangle, std::uint32_t firstFree, std::uint32_t mostTriangles)
     : geometry(geometryToUse)
     , mesh(meshToGrow)
     , flipper(generalFlipper)
@@ -48,7 +48,7 @@ public:
 
   /// Insert the vertex at a slot of the mesh's array, unless it lies beneath its triangle. The
   /// walk starts where the last one ended.
-  /// @return false: the way to the point's triangle is not inside the patch
+  /// @return false: the triangle where it starts has gone
   bool insert(std::uint32_t slot) { return this->insertFrom(this->last, slot); }
 
   /// The same, of a walk from a triangle, which may have gone.
@@ -111,18 +111,11 @@ private:
     std::size_t count = 3;
     std::reverse_copy(child, child + 3, this->waiting.begin());
     bool stuck = false;
-    bool nearBorder = false;
     while (count > 0)
     {
       const std::uint32_t h = halfEdge(this->waiting[--count], 0);
       const Triangle& triangle = this->mesh.triangles[triangleOf(h)];
-      nearBorder = nearBorder || this->flipper.isShared(triangle.v[0]) ||
-        this->flipper.isShared(triangle.v[1]);
       const std::uint32_t twin = triangle.twin[0];
-      if (this->mesh.isBorder(twin))
-      {
-        continue;
-      }
       const Triangle& opposite = this->mesh.triangles[triangleOf(twin)];
       const Vertex* const v = this->mesh.vertices;
       const Vertex& a = v[triangle.v[0]];
@@ -159,9 +152,9 @@ private:
       this->waiting[count++] = triangleOf(twin);
       this->waiting[count++] = triangleOf(h);
     }
-    if (stuck || nearBorder || !this->flipper.deferred.empty())
+    if (stuck)
     {
-      this->flipGenerally(child[0], nearBorder);
+      this->flipGenerally(child[0]);
     }
   }
 
@@ -169,37 +162,29 @@ private:
   ///
   /// The edges at the new vertex are not tested, as long as flips only put triangles at it in the
   /// slot of those it sees: they are convex then, where all edges were before. That is so no more
-  /// - near the border of a patch: the vertex may hide one there, whose edges are not all seen from
-  ///   here (without weights, a duplicate can be hidden so);
-  /// - where some edges wait for a larger patch;
-  /// - after a label: flips at a labelled vertex take its triangles away without regard to the new
-  ///   one.
-  void flipGenerally(std::uint32_t triangle, bool nearBorder)
+  /// after a label: flips at a labelled vertex take its triangles away without regard to the new
+  /// one.
+  void flipGenerally(std::uint32_t triangle)
   {
     const std::uint32_t slot = this->mesh.triangles[triangle].v[2];
     this->flipper.follow(slot, triangle);
-    bool testOwn = nearBorder || !this->flipper.deferred.empty();
-    for (bool again = true; again; testOwn = true)
+    std::int64_t labelled = this->flipper.labelledCount();
+    this->flipper.run();
+    while ((this->mesh.vertices[slot].flags & VertexAlive) != 0 &&
+      this->flipper.labelledCount() > labelled)
     {
-      if (testOwn)
-      {
-        const std::uint32_t t = this->flipper.followedTriangle();
-        const std::uint32_t* const v = this->mesh.triangles[t].v;
-        this->flipper.pushEdgesAt(halfEdge(t, static_cast<int>(std::find(v, v + 2, slot) - v)));
-      }
-      const std::int64_t labelled = this->flipper.labelledCount();
-      const std::size_t deferred = this->flipper.deferred.size();
+      const std::uint32_t t = this->flipper.followedTriangle();
+      const std::uint32_t* const v = this->mesh.triangles[t].v;
+      this->flipper.pushEdgesAt(halfEdge(t, static_cast<int>(std::find(v, v + 2, slot) - v)));
+      labelled = this->flipper.labelledCount();
       this->flipper.run();
-      again = (this->mesh.vertices[slot].flags & VertexAlive) != 0 &&
-        (this->flipper.labelledCount() > labelled ||
-          (!testOwn && this->flipper.deferred.size() > deferred));
     }
     this->last = this->flipper.followedTriangle();
   }
 
   const Geometry& geometry;
   const Mesh mesh;
-  Flipper<Geometry, Shared>& flipper;
+  LocalFlipper& flipper;
   std::uint32_t last;
   std::uint32_t next;
   std::uint32_t mostSteps;

@@ -4,16 +4,24 @@
 
 #include <flipflop/Error.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace flipflop
 {
 
-template <bool Weighted>
-PlanePart PartMerge<Weighted>::merge(const PlanePart& first, const PlanePart& second)
+template <class Geometry>
+Part PartMerge<Geometry>::merge(const Part& first, const Part& second)
 {
-  const auto coordinate = [this](const PlanePart& part, int side)
+  if constexpr (!Geometry::IsPlanar)
+  {
+    this->findTangents(first, second);
+    return this->join(first, second);
+  }
+  const auto coordinate = [this](const Part& part, int side)
   { return this->mesh.vertices[part.vertex[side]].x[side / 2]; };
-  const PlanePart* lower = &first; // the left one or the lower one
-  const PlanePart* upper = &second;
+  const Part* lower = &first; // the left one or the lower one
+  const Part* upper = &second;
   int axis = 0;
   for (; axis < 2; ++axis)
   {
@@ -30,18 +38,12 @@ PlanePart PartMerge<Weighted>::merge(const PlanePart& first, const PlanePart& se
     }
   }
   ensure(axis < 2);
-
-  this->left = { NoIndex, lower->spoke[axis == 0 ? MostX : MostY], 0, 0 };
-  this->right = { NoIndex, upper->spoke[axis == 0 ? LeastX : LeastY], 0, 0 };
-  this->left.vertex = lower->vertex[axis == 0 ? MostX : MostY];
-  this->right.vertex = upper->vertex[axis == 0 ? LeastX : LeastY];
-  this->countEdgesAbove();
-  this->findLowerTangent();
+  this->findTangents(*lower, *upper, axis);
   return this->join(*lower, *upper);
 }
 
-template <bool Weighted>
-void PartMerge<Weighted>::addTo(Tally& tally) const
+template <class Geometry>
+void PartMerge<Geometry>::addTo(Tally& tally) const
 {
   tally.ties += this->ties;
   tally.duplicates.insert(tally.duplicates.end(), this->duplicates.begin(), this->duplicates.end());
@@ -51,118 +53,157 @@ void PartMerge<Weighted>::addTo(Tally& tally) const
   tally.statistics.edgeChecks += this->checks;
 }
 
-/// Count the border edges from the facing extremes up to the upper common tangent.
-template <bool Weighted>
-void PartMerge<Weighted>::countEdgesAbove()
+/// In the plane, from the vertices that face each other: count the edges up to the upper common
+/// tangent, then go down to the lower one, and count these, too.
+template <class Geometry>
+void PartMerge<Geometry>::findTangents(const Part& lower, const Part& upper, int axis)
 {
+  const int most = axis == 0 ? MostX : MostY;
+  const int least = axis == 0 ? LeastX : LeastY;
+  this->left = this->shoreOf(true, lower.vertex[most], lower.spoke[most]);
+  this->right = this->shoreOf(false, upper.vertex[least], upper.spoke[least]);
   Shore l = this->left;
   Shore r = this->right;
-  while (true)
+  while (this->follow(l, true, l, r) || this->follow(r, true, l, r))
   {
-    if (l.spoke != NoIndex)
+  }
+  while (this->follow(this->left, false, this->left, this->right) ||
+    this->follow(this->right, false, this->left, this->right))
+  {
+  }
+  this->left.edges += l.edges;
+  this->right.edges += r.edges;
+}
+
+/// Follow a shore by one edge, up or down, if that leads above or below the line from l to r.
+template <class Geometry>
+bool PartMerge<Geometry>::follow(Shore& shore, bool up, const Shore& l, const Shore& r)
+{
+  if (shore.spoke == NoIndex)
+  {
+    return false;
+  }
+  const std::uint32_t spoke = up ? shore.spoke : this->backward(shore, shore.spoke);
+  const std::uint32_t vertex = up ? this->upper(shore, spoke) : this->lower(shore, spoke);
+  const int sign = this->orient(l.vertex, r.vertex, vertex);
+  if (up ? sign <= 0 : sign >= 0)
+  {
+    return false;
+  }
+  shore.spoke = up ? this->onward(shore, spoke) : spoke;
+  shore.vertex = vertex;
+  ++shore.edges;
+  return true;
+}
+
+/// In space, from any vertices: find both common tangents, and count the edges between them. A part
+/// of more than a point has some, and all of them where both tangents are at one vertex.
+template <class Geometry>
+void PartMerge<Geometry>::findTangents(const Part& first, const Part& second)
+{
+  this->left = this->shoreOf(true, first.vertex[0], first.spoke[0]);
+  this->right = this->shoreOf(false, second.vertex[0], second.spoke[0]);
+  this->turn(this->left, this->right, false);
+  Shore l = this->left;
+  Shore r = this->right;
+  this->turn(l, r, true);
+  for (const auto& [shore, end] :
+    { std::pair{ &this->left, l.vertex }, { &this->right, r.vertex } })
+  {
+    shore->edges = 0;
+    std::uint32_t vertex = NoIndex;
+    for (std::uint32_t s = shore->spoke; s != NoIndex && vertex != end; s = this->onward(*shore, s))
     {
-      const std::uint32_t spoke = this->ring.previous(l.spoke);
-      const std::uint32_t vertex = this->ring.begin(spoke);
-      if (this->orient(vertex, l.vertex, r.vertex) > 0)
-      {
-        l.spoke = spoke;
-        l.vertex = vertex;
-        ++this->left.edges;
-        continue;
-      }
+      vertex = this->upper(*shore, s);
+      ++shore->edges;
     }
-    if (r.spoke != NoIndex)
-    {
-      const std::uint32_t vertex = this->ring.end(r.spoke);
-      if (this->orient(r.vertex, vertex, l.vertex) > 0)
-      {
-        r.spoke = this->ring.next(r.spoke);
-        r.vertex = vertex;
-        ++this->right.edges;
-        continue;
-      }
-    }
-    return;
   }
 }
 
-/// Go down from the facing extremes to the lower common tangent, and count the edges, too.
-template <bool Weighted>
-void PartMerge<Weighted>::findLowerTangent()
+/// Turn the line from l to r to the upper or the lower common tangent: by turns to that of each
+/// part through the other's vertex. Seen from there, the way around a part rises on one side and
+/// falls on the other.
+template <class Geometry>
+void PartMerge<Geometry>::turn(Shore& l, Shore& r, bool up)
 {
-  Shore& l = this->left;
-  Shore& r = this->right;
-  while (true)
+  const int side = up ? 1 : -1;
+  const auto step = [&](Shore& shore)
   {
-    if (l.spoke != NoIndex)
+    if (shore.spoke == NoIndex)
     {
-      const std::uint32_t vertex = this->ring.end(l.spoke);
-      if (this->orient(l.vertex, vertex, r.vertex) > 0)
-      {
-        l.spoke = this->ring.next(l.spoke);
-        l.vertex = vertex;
-        ++l.edges;
-        continue;
-      }
+      return false;
     }
-    if (r.spoke != NoIndex)
+    const std::uint32_t back = this->backward(shore, shore.spoke);
+    const std::uint32_t above = this->upper(shore, shore.spoke);
+    const std::uint32_t beneath = this->lower(shore, back);
+    const bool first = this->orient(l.vertex, r.vertex, up ? above : beneath) == side;
+    if (!first && this->orient(l.vertex, r.vertex, up ? beneath : above) != side)
     {
-      const std::uint32_t spoke = this->ring.previous(r.spoke);
-      const std::uint32_t vertex = this->ring.begin(spoke);
-      if (this->orient(vertex, r.vertex, l.vertex) > 0)
-      {
-        r.spoke = spoke;
-        r.vertex = vertex;
-        ++r.edges;
-        continue;
-      }
+      return false;
     }
-    return;
+    const bool goesUp = first == up;
+    shore.vertex = goesUp ? above : beneath;
+    shore.spoke = goesUp ? this->onward(shore, shore.spoke) : back;
+    return true;
+  };
+  while (step(l) || step(r))
+  {
   }
+}
+
+/// Cut the borders open where the seam begins. It may take all edges of a part, and comes back to
+/// where it began then.
+/// @param bottom a free triangle: it closes the border there
+template <class Geometry>
+void PartMerge<Geometry>::cutBorders(std::uint32_t bottom)
+{
+  this->mesh.setTriangle(bottom, this->right.vertex, this->left.vertex, VirtualSlot);
+  for (const Shore* shore : { &this->left, &this->right })
+  {
+    if (shore->spoke != NoIndex)
+    {
+      this->mesh.link(
+        bottomSide(*shore, bottom), upperSide(*shore, this->backward(*shore, shore->spoke)));
+    }
+  }
+  this->base = halfEdge(bottom, 0);
+  this->below = NoIndex;
 }
 
 /// From the lower tangent up: the seam, and the border around both parts.
-template <bool Weighted>
-PlanePart PartMerge<Weighted>::join(const PlanePart& lower, const PlanePart& upper)
+template <class Geometry>
+Part PartMerge<Geometry>::join(const Part& lower, const Part& upper)
 {
   const std::uint32_t bottom = lower.firstFree;
   const std::uint32_t top = bottom + 1;
   const std::uint32_t lowest[2] = { this->left.vertex, this->right.vertex };
-  // The border is cut open at the tangent before the seam begins. The seam may take all edges of a
-  // part, and comes back to where it began then.
-  this->mesh.setTriangle(bottom, this->right.vertex, this->left.vertex, PlaneVirtual);
-  if (this->left.spoke != NoIndex)
-  {
-    const std::uint32_t spoke = this->ring.previous(this->left.spoke);
-    this->mesh.link(halfEdge(bottom, 1), this->left.spoke);
-    this->left.spoke = spoke;
-  }
-  if (this->right.spoke != NoIndex)
-  {
-    const std::uint32_t spoke = this->ring.previous(this->right.spoke);
-    this->mesh.link(halfEdge(bottom, 2), previousHalfEdge(spoke));
-  }
-  this->base = halfEdge(bottom, 0);
-  this->below = NoIndex;
+  this->cutBorders(bottom);
   this->rise();
 
-  this->mesh.setTriangle(top, this->left.vertex, this->right.vertex, PlaneVirtual);
+  this->mesh.setTriangle(top, this->left.vertex, this->right.vertex, VirtualSlot);
   this->mesh.link(this->base, halfEdge(top, 0));
-  const auto isConsumed = [&](const PlanePart& part, const Shore& shore, std::uint32_t from)
-  { return part.isSingle() || ((Weighted || shore.reached > 0) && shore.vertex == from); };
-  this->mesh.link(halfEdge(top, 2),
-    isConsumed(lower, this->left, lowest[0]) ? halfEdge(bottom, 1)
-                                             : previousHalfEdge(this->left.spoke));
-  this->mesh.link(halfEdge(top, 1),
-    isConsumed(upper, this->right, lowest[1]) ? halfEdge(bottom, 2) : this->right.spoke);
+  for (const Shore* shore : { &this->left, &this->right })
+  {
+    const bool isSingle = (shore->isLeft ? lower : upper).isSingle();
+    const bool isConsumed =
+      isSingle || ((Hides || shore->reached > 0) && shore->vertex == lowest[shore->isLeft ? 0 : 1]);
+    this->mesh.link(halfEdge(top, shore->isLeft ? 2 : 1),
+      isConsumed ? bottomSide(*shore, bottom) : lowerSide(*shore, shore->spoke));
+  }
 
-  PlanePart whole;
+  Part whole;
   whole.firstFree = upper.firstFree;
+  if constexpr (!Geometry::IsPlanar)
+  {
+    std::fill_n(whole.vertex, 4, this->left.vertex);
+    std::fill_n(whole.spoke, 4, halfEdge(top, 2));
+    return whole;
+  }
   for (int side = 0; side < 4; ++side)
   {
     const auto* const v = this->mesh.vertices;
-    const PlanePart& from =
-      isFarther<Weighted>(side, v[lower.vertex[side]], v[upper.vertex[side]]) ? lower : upper;
+    const Part& from =
+      isFarther<Geometry>(side, v[lower.vertex[side]], v[upper.vertex[side]]) ? lower : upper;
     const std::uint32_t vertex = from.vertex[side];
     whole.vertex[side] = vertex;
     // Two border edges are new.
@@ -173,90 +214,105 @@ PlanePart PartMerge<Weighted>::join(const PlanePart& lower, const PlanePart& upp
   return whole;
 }
 
-template <bool Weighted>
-void PartMerge<Weighted>::rise()
+template <class Geometry>
+void PartMerge<Geometry>::rise()
 {
   while (this->left.edges > 0 || this->right.edges > 0)
   {
-    const Candidate a = this->candidate(true);
-    const Candidate c = this->candidate(false);
+    const Candidate a = this->candidate(this->left);
+    const Candidate c = this->candidate(this->right);
     if (!a.isAbove && !c.isAbove)
     {
       break; // hidden vertices were left
     }
-    const bool goesLeft =
-      a.isAbove && (!c.isAbove || this->inCircle(true, a.vertex, c.vertex) <= 0);
-    goesLeft ? this->reachLeft(a) : this->reachRight(c);
+    const bool goesLeft = a.isAbove && (!c.isAbove || this->inCircle(a, c.vertex) <= 0);
+    goesLeft ? this->reach(this->left, a) : this->reach(this->right, c);
   }
   ensure(this->left.edges == 0 && this->right.edges == 0);
 }
 
-/// The next corner on one side, after the edges that lose are flipped out of the way.
-template <bool Weighted>
-typename PartMerge<Weighted>::Candidate PartMerge<Weighted>::candidate(bool isLeft)
+/// The next corner on a shore, after the edges that lose are flipped out of the way.
+template <class Geometry>
+typename PartMerge<Geometry>::Candidate PartMerge<Geometry>::candidate(Shore& shore)
 {
-  const Shore& shore = isLeft ? this->left : this->right;
+  Candidate found{ &shore };
   while (shore.edges > 0)
   {
-    Candidate found;
-    found.isLeft = isLeft;
-    found.vertex = isLeft ? this->ring.begin(shore.spoke) : this->ring.end(shore.spoke);
+    found.vertex = this->upper(shore, shore.spoke);
     found.isAbove = this->orient(this->left.vertex, this->right.vertex, found.vertex) > 0;
-    if (!found.isAbove && !(Weighted && this->isPassed(isLeft, found.vertex)))
+    if (!found.isAbove && !(Hides && this->isPassed(shore, found.vertex)))
     {
       return found;
     }
     const std::uint32_t inner = this->mesh.twin(nextHalfEdge(shore.spoke));
     const std::uint32_t apex = this->mesh.origin(previousHalfEdge(inner));
-    if (apex == PlaneVirtual)
+    if (apex == VirtualSlot)
     {
-      if (found.isAbove)
+      if (found.isAbove && !this->losesBeyond(shore, inner, found))
       {
         return found;
       }
-      this->hideBeyond(isLeft, inner);
+      this->hideBeyond(shore, inner);
       continue;
     }
-    const int sign = found.isAbove ? this->inCircle(isLeft, found.vertex, apex) : 1;
+    const int sign = found.isAbove ? this->inCircle(found, apex) : 1;
     if (sign <= 0)
     {
       found.isFlat = sign == 0;
       return found;
     }
-    isLeft ? this->uncoverLeft(inner, found.vertex, apex)
-           : this->uncoverRight(inner, found.vertex, apex);
+    this->uncover(shore, inner);
   }
-  return Candidate();
+  return { &shore };
 }
 
 /// Is a vertex, not above the seam's last edge, beneath the triangle that is beneath that edge, or
 /// behind its other edge? The seam has passed it then. Else the other side may rise to it yet.
-template <bool Weighted>
-bool PartMerge<Weighted>::isPassed(bool isLeft, std::uint32_t vertex)
+template <class Geometry>
+bool PartMerge<Geometry>::isPassed(const Shore& shore, std::uint32_t vertex)
 {
-  if (this->below == NoIndex || vertex == this->below)
+  return this->below != NoIndex && vertex != this->below &&
+    this->orient(shore.vertex, this->below, vertex) == (shore.isLeft ? 1 : -1);
+}
+
+/// The border passes both sides of the next edge, whose far end is above the seam's last edge. Does
+/// it lose to the next neighbour of the near end, where the border comes back to that?
+/// @param inner the edge's half-edge on the way back
+template <class Geometry>
+bool PartMerge<Geometry>::losesBeyond(
+  const Shore& shore, std::uint32_t inner, const Candidate& found)
+{
+  if (shore.edges <= this->edgesUntil(shore, inner))
   {
     return false;
   }
-  return isLeft ? this->orient(this->left.vertex, this->below, vertex) > 0
-                : this->orient(this->right.vertex, this->below, vertex) < 0;
+  const std::uint32_t next = this->upper(shore, this->onward(shore, previousHalfEdge(inner)));
+  return this->orient(this->left.vertex, this->right.vertex, next) > 0 &&
+    this->inCircle(found, next) > 0;
+}
+
+/// How many edges there are from the next one to the one of @p inner, both counted.
+template <class Geometry>
+std::uint32_t PartMerge<Geometry>::edgesUntil(const Shore& shore, std::uint32_t inner) const
+{
+  std::uint32_t edges = 1;
+  for (std::uint32_t s = shore.spoke; edges <= shore.edges && triangleOf(s) != triangleOf(inner);
+       ++edges)
+  {
+    s = this->onward(shore, s);
+  }
+  return edges;
 }
 
 /// The border passes both sides of the next edge, which does not stay: remove it, and all that only
 /// it connects with its side. These vertices are hidden.
 /// @param inner the edge's half-edge on the way back
-template <bool Weighted>
-void PartMerge<Weighted>::hideBeyond(bool isLeft, std::uint32_t inner)
+template <class Geometry>
+void PartMerge<Geometry>::hideBeyond(Shore& shore, std::uint32_t inner)
 {
-  Shore& shore = isLeft ? this->left : this->right;
-  const std::uint32_t back = previousHalfEdge(inner);
-  const std::uint32_t onward = isLeft ? this->ring.previous(back) : this->ring.next(back);
-  std::uint32_t edges = 1;
-  for (std::uint32_t s = shore.spoke; triangleOf(s) != triangleOf(inner); ++edges)
-  {
-    ensure(edges < shore.edges);
-    s = isLeft ? this->ring.previous(s) : this->ring.next(s);
-  }
+  const std::uint32_t next = this->onward(shore, previousHalfEdge(inner));
+  const std::uint32_t edges = this->edgesUntil(shore, inner);
+  ensure(edges <= shore.edges);
   this->mesh.removeTriangle(triangleOf(shore.spoke));
   this->mesh.removeTriangle(triangleOf(inner));
   const auto remove = [&](std::uint32_t t)
@@ -269,17 +325,17 @@ void PartMerge<Weighted>::hideBeyond(bool isLeft, std::uint32_t inner)
   };
   const auto hide = [&](std::uint32_t v)
   {
-    if (v != PlaneVirtual && (this->mesh.vertices[v].flags & VertexAlive))
+    if (v != VirtualSlot && (this->mesh.vertices[v].flags & VertexAlive))
     {
       ensure(v != this->left.vertex && v != this->right.vertex);
       this->mesh.vertices[v].flags = 0;
       ++this->hidden;
     }
   };
-  const std::uint32_t first = isLeft ? this->ring.begin(shore.spoke) : this->ring.end(shore.spoke);
+  const std::uint32_t first = this->upper(shore, shore.spoke);
   this->noteIfDuplicates(first, shore.vertex);
   hide(first);
-  remove(triangleOf(this->mesh.twin(isLeft ? shore.spoke : previousHalfEdge(shore.spoke))));
+  remove(triangleOf(this->mesh.twin(upperSide(shore, shore.spoke))));
   while (!this->hiding.empty())
   {
     const std::uint32_t t = this->hiding.back();
@@ -292,83 +348,57 @@ void PartMerge<Weighted>::hideBeyond(bool isLeft, std::uint32_t inner)
       remove(triangleOf(this->mesh.triangles[t].twin[e]));
     }
   }
-  shore.spoke = onward;
+  shore.spoke = next;
   shore.edges -= edges;
 }
 
-/// Flip the border edge's triangle, of the half-edge @p inner from l to a and its apex d, with the
-/// virtual triangle: ad and dl are border edges then, and dl the next.
-template <bool Weighted>
-void PartMerge<Weighted>::uncoverLeft(std::uint32_t inner, std::uint32_t a, std::uint32_t d)
+/// Flip the next border edge, from l to a on the left, of the triangle with the apex d, with its
+/// virtual triangle: ld and da are border edges then, and ld the next.
+/// @param inner the edge's half-edge in the triangle
+template <class Geometry>
+void PartMerge<Geometry>::uncover(Shore& shore, std::uint32_t inner)
 {
-  const std::uint32_t spoke = this->left.spoke;
-  this->noteIfDuplicates(this->left.vertex, a);
+  const std::uint32_t spoke = shore.spoke;
   const std::uint32_t t = triangleOf(inner);
-  const std::uint32_t da = this->mesh.twin(nextHalfEdge(inner));
-  const std::uint32_t ld = this->mesh.twin(previousHalfEdge(inner));
-  const std::uint32_t back = this->mesh.twin(spoke);
-  this->mesh.triangles[triangleOf(spoke)].v[nextCorner(cornerOf(spoke))] = d;
-  this->mesh.link(nextHalfEdge(spoke), ld);
-  this->mesh.setTriangle(t, a, d, PlaneVirtual);
-  this->mesh.link(halfEdge(t, 0), da);
-  this->mesh.link(halfEdge(t, 1), spoke);
-  this->mesh.link(halfEdge(t, 2), back);
-  ++this->left.edges;
+  const std::uint32_t a = this->upper(shore, spoke);
+  const std::uint32_t d = this->mesh.origin(previousHalfEdge(inner));
+  this->noteIfDuplicates(shore.vertex, a);
+  const std::uint32_t before = this->mesh.twin(previousHalfEdge(inner));
+  const std::uint32_t behind = this->mesh.twin(nextHalfEdge(inner));
+  const std::uint32_t side = upperSide(shore, spoke);
+  const std::uint32_t beyond = this->mesh.twin(side);
+  const int corner = cornerOf(spoke);
+  const int upperCorner = shore.isLeft ? nextCorner(corner) : previousCorner(corner);
+  this->mesh.triangles[triangleOf(spoke)].v[upperCorner] = d;
+  this->mesh.link(nextHalfEdge(spoke), shore.isLeft ? before : behind);
+  this->mesh.setTriangle(t, shore.isLeft ? a : d, shore.isLeft ? d : a, VirtualSlot);
+  this->mesh.link(halfEdge(t, 0), shore.isLeft ? behind : before);
+  this->mesh.link(halfEdge(t, shore.isLeft ? 1 : 2), side);
+  this->mesh.link(halfEdge(t, shore.isLeft ? 2 : 1), beyond);
+  ++shore.edges;
   ++this->flips;
 }
 
-/// The same on the right, of the half-edge from c to r: rd and dc are border edges then, and rd the
-/// next.
-template <bool Weighted>
-void PartMerge<Weighted>::uncoverRight(std::uint32_t inner, std::uint32_t c, std::uint32_t d)
+/// The virtual triangle of the next border edge becomes the seam's triangle.
+template <class Geometry>
+void PartMerge<Geometry>::reach(Shore& shore, const Candidate& next)
 {
-  const std::uint32_t spoke = this->right.spoke;
-  this->noteIfDuplicates(this->right.vertex, c);
-  const std::uint32_t t = triangleOf(inner);
-  const std::uint32_t dr = this->mesh.twin(nextHalfEdge(inner));
-  const std::uint32_t cd = this->mesh.twin(previousHalfEdge(inner));
-  const std::uint32_t onward = this->mesh.twin(previousHalfEdge(spoke));
-  this->mesh.triangles[triangleOf(spoke)].v[previousCorner(cornerOf(spoke))] = d;
-  this->mesh.link(nextHalfEdge(spoke), dr);
-  this->mesh.setTriangle(t, d, c, PlaneVirtual);
-  this->mesh.link(halfEdge(t, 0), cd);
-  this->mesh.link(halfEdge(t, 1), onward);
-  this->mesh.link(halfEdge(t, 2), previousHalfEdge(spoke));
-  ++this->right.edges;
-  ++this->flips;
-}
-
-/// The virtual triangle of the next border edge on the left becomes the seam's triangle.
-template <bool Weighted>
-void PartMerge<Weighted>::reachLeft(const Candidate& next)
-{
-  const std::uint32_t spoke = this->left.spoke;
-  const std::uint32_t onward = this->ring.previous(spoke);
-  this->mesh.triangles[triangleOf(spoke)].v[cornerOf(spoke)] = this->right.vertex;
-  this->closeTriangle(previousHalfEdge(spoke), nextHalfEdge(spoke), next);
-  this->base = spoke;
-  this->below = std::exchange(this->left.vertex, next.vertex);
-  this->left.spoke = onward;
-  this->left.advance();
-}
-
-template <bool Weighted>
-void PartMerge<Weighted>::reachRight(const Candidate& next)
-{
-  const std::uint32_t spoke = this->right.spoke;
-  const std::uint32_t onward = this->ring.next(spoke);
-  this->mesh.triangles[triangleOf(spoke)].v[cornerOf(spoke)] = this->left.vertex;
-  this->closeTriangle(spoke, nextHalfEdge(spoke), next);
-  this->base = previousHalfEdge(spoke);
-  this->below = std::exchange(this->right.vertex, next.vertex);
-  this->right.spoke = onward;
-  this->right.advance();
+  const std::uint32_t spoke = shore.spoke;
+  const std::uint32_t onwardSpoke = this->onward(shore, spoke);
+  this->mesh.triangles[triangleOf(spoke)].v[cornerOf(spoke)] =
+    (shore.isLeft ? this->right : this->left).vertex;
+  this->closeTriangle(lowerSide(shore, spoke), nextHalfEdge(spoke), next);
+  this->base = upperSide(shore, spoke);
+  this->below = std::exchange(shore.vertex, next.vertex);
+  shore.spoke = onwardSpoke;
+  --shore.edges;
+  ++shore.reached;
 }
 
 /// Link the seam's new triangle to the one beneath, and mark its flat edges (PlanePolyhedron.h).
 /// @param onBase, outer its half-edges on the seam's last edge, and on the part's border
-template <bool Weighted>
-void PartMerge<Weighted>::closeTriangle(
+template <class Geometry>
+void PartMerge<Geometry>::closeTriangle(
   std::uint32_t onBase, std::uint32_t outer, const Candidate& next)
 {
   this->mesh.setMarks(triangleOf(onBase), 0);
@@ -377,13 +407,14 @@ void PartMerge<Weighted>::closeTriangle(
   {
     this->mesh.markTied(outer);
   }
-  if (this->below != NoIndex && this->exactInCircle(next.isLeft, next.vertex, this->below) == 0)
+  if (this->below != NoIndex && this->exactInCircle(next, this->below) == 0)
   {
     this->mesh.markTied(onBase);
   }
 }
 
-template class PartMerge<false>;
-template class PartMerge<true>;
+template class PartMerge<LiftedGeometry<false>>;
+template class PartMerge<LiftedGeometry<true>>;
+template class PartMerge<HullGeometry>;
 
 }

@@ -3,6 +3,7 @@
 #include "FlipFlop/PartTree.h"
 
 #include "Points/HilbertCurve.h"
+#include "Support/BucketSort.h"
 #include "Support/Parallel.h"
 
 #include <algorithm>
@@ -22,8 +23,10 @@ template <class AnyVertex>
 class Cutter
 {
 public:
-  Cutter(PartTree<AnyVertex>& treeToFill, std::uint32_t most, Monitor& monitorToUse)
+  Cutter(PartTree<AnyVertex>& treeToFill, const OctahedralMap& mapToUse, std::uint32_t most,
+    Monitor& monitorToUse)
     : tree(treeToFill)
+    , map(mapToUse)
     , mostPoints(most)
     , monitor(monitorToUse)
   {
@@ -36,7 +39,12 @@ public:
   {
     const auto count = static_cast<std::uint32_t>(this->tree.vertices.size() - 1);
     this->tree.nodes.push_back({ 1, 1 + count, 0, 0, 0 });
-    this->mostPoints *= isAlongCurves(curve, count, pointAt) ? 4 : 1;
+    if (this->isAlongCurves(curve, count, pointAt))
+    {
+      // Larger parts. Those of a curve in space are nearly flat, and most of their signs are exact:
+      // none.
+      this->mostPoints = this->map.isOfDirections() ? count : 4 * this->mostPoints;
+    }
     if (count <= this->mostPoints || curve.isPoint())
     {
       this->eachChunk(count,
@@ -55,29 +63,37 @@ public:
 private:
   /// Cells are so small that few parts are cut from within one.
   static constexpr std::uint32_t CellsPerPart = 8;
-  static constexpr int LeastCellBits = 4;
+  static constexpr int LeastCellBits = 4; ///< the squares of directions
   static constexpr int MostCellBits = 14;
 
-  /// Do the points lie along a few curves, so that few cells have any of a sample? Parts are larger
-  /// then: where triangles reach across the parts, each merge changes many of them, and many of all
-  /// merges are of small parts.
+  /// Do the points lie along a few curves, so that few cells have any of a sample? Where triangles
+  /// reach across parts, each merge changes many of them, and many of all merges are of small
+  /// parts.
   template <class PointAt>
-  static bool isAlongCurves(const HilbertCurve& curve, std::uint32_t count, const PointAt& pointAt)
+  bool isAlongCurves(const HilbertCurve& curve, std::uint32_t count, const PointAt& pointAt) const
   {
-    constexpr int Bits = 10;
-    constexpr std::uint32_t SampleSize = 4 << Bits;
-    if (count < SampleSize)
+    const int bits = this->map.isOfDirections() ? 12 : 10;
+    const std::uint32_t sampleSize = 4u << bits;
+    if (count < sampleSize)
     {
       return false;
     }
-    std::vector<bool> isMet(std::size_t(1) << Bits);
-    const std::uint32_t step = count / SampleSize | 1; // odd: no grid's period
+    std::vector<bool> isMet(std::size_t(1) << bits);
+    const std::uint32_t step = count / sampleSize | 1; // odd: no grid's period
     for (std::uint32_t i = 0; i < count; i += step)
     {
-      isMet[curve.at(pointAt(i).x) >> (32 - Bits)] = true;
+      double uv[2];
+      this->map.map(pointAt(i).x, uv);
+      isMet[curve.at(uv) >> (32 - bits)] = true;
     }
-    return std::count(isMet.begin(), isMet.end(), true) < std::ptrdiff_t(isMet.size() / 8);
+    // Of directions, closed curves in space meet 8 % of the cells that have any, a cylinder 15.
+    const std::ptrdiff_t few = isMet.size() / (this->map.isOfDirections() ? 40 : 8);
+    return std::count(isMet.begin(), isMet.end(), true) < few;
   }
+
+  /// So many times as many cells as points can be in: directions have half of the squares, and of
+  /// each a half.
+  std::uint32_t emptyShare() const { return this->map.isOfDirections() ? 4 : 1; }
 
   template <class Use>
   void eachChunk(std::uint32_t count, Use&& use)
@@ -96,24 +112,12 @@ private:
     const std::uint32_t begin = this->tree.nodes[node].begin;
     const std::uint32_t count = this->tree.nodes[node].end - begin;
     Buffer<AnyVertex> points(count);
-    std::vector<HilbertCurve> boxes(chunkCount(count, PointsPerTask));
     this->eachChunk(count,
-      [&](std::uint32_t from, std::uint32_t to, std::size_t run)
-      {
-        HilbertCurve box;
-        for (std::uint32_t i = from; i < to; ++i)
-        {
-          points[i] = this->tree.vertices[begin + i];
-          box.add(points[i].x);
-        }
-        boxes[run] = box;
+      [&](std::uint32_t from, std::uint32_t to, std::size_t) {
+        std::copy_n(this->tree.vertices.begin() + begin + from, to - from, points.begin() + from);
       });
-    HilbertCurve curve;
-    for (const HilbertCurve& box : boxes)
-    {
-      curve.add(box);
-    }
-    curve.prepare();
+    const HilbertCurve curve = curveThrough(
+      count, this->monitor, [&](std::size_t i, double* uv) { this->map.map(points[i].x, uv); });
     if (!curve.isPoint())
     {
       this->divide(node,
@@ -121,49 +125,54 @@ private:
     }
   }
 
-  /// Write vertices in the order of their cells, which are stretches of the curve.
+  /// Write vertices in the order of their cells, which are stretches of the curve; those that may
+  /// be in another come last.
   /// @param begin where
-  /// @return where the cells begin, and where the last one ends
+  /// @return where the cells begin, and where the last one ends; empty, where these would be many
   template <class PointAt>
   std::vector<std::uint32_t> sortIntoCells(
     const HilbertCurve& curve, std::uint32_t begin, std::uint32_t count, const PointAt& pointAt)
   {
     int bits = LeastCellBits;
-    while (bits < MostCellBits && count >> bits > this->mostPoints / CellsPerPart)
+    while (
+      bits < MostCellBits && count >> bits > this->mostPoints / CellsPerPart / this->emptyShare())
     {
       ++bits;
     }
     const std::size_t cells = std::size_t(1) << bits;
+    const std::size_t buckets = cells + 1; // the last of points that are in no part
     Buffer<std::uint16_t> cellOf(count);
-    std::vector<std::uint32_t> cursor(chunkCount(count, PointsPerTask) * cells);
+    BucketCursors cursors(buckets, chunkCount(count, PointsPerTask));
     this->eachChunk(count,
       [&](std::uint32_t from, std::uint32_t to, std::size_t run)
       {
         for (std::uint32_t i = from; i < to; ++i)
         {
-          const std::uint32_t cell = curve.at(pointAt(i).x) >> (32 - bits);
+          double uv[2];
+          const double error = this->map.map(pointAt(i).x, uv);
+          const bool isIn = error == 0 || !curve.isNearBorder(uv, error, bits);
+          const std::size_t cell = isIn ? curve.at(uv) >> (32 - bits) : cells;
           cellOf[i] = static_cast<std::uint16_t>(cell);
-          ++cursor[run * cells + cell];
+          cursors.count(run, cell);
         }
       });
-    std::vector<std::uint32_t> cellBegin;
-    cellBegin.reserve(cells + 1);
-    std::uint32_t total = begin;
-    for (std::size_t cell = 0; cell < cells; ++cell)
+    std::vector<std::uint32_t> cellBegin = cursors.endCounting(begin);
+    const std::uint32_t end = cellBegin.back();
+    cellBegin.pop_back();
+    if (cellBegin.back() - begin < count - count / 8)
     {
-      cellBegin.push_back(total);
-      for (std::size_t at = cell; at < cursor.size(); at += cells)
-      {
-        total += std::exchange(cursor[at], total);
-      }
+      return {};
     }
-    cellBegin.push_back(total);
+    if (cellBegin.back() < end)
+    {
+      this->tree.out.push_back({ cellBegin.back(), end });
+    }
     this->eachChunk(count,
       [&](std::uint32_t from, std::uint32_t to, std::size_t run)
       {
         for (std::uint32_t i = from; i < to; ++i)
         {
-          this->tree.vertices[cursor[run * cells + cellOf[i]]++] = pointAt(i);
+          this->tree.vertices[cursors.next(run, cellOf[i])] = pointAt(i);
         }
       });
     return cellBegin;
@@ -171,7 +180,10 @@ private:
 
   void divide(std::uint32_t node, const std::vector<std::uint32_t>& cellBegin)
   {
-    this->divide(node, cellBegin, 0, static_cast<std::uint32_t>(cellBegin.size() - 1));
+    if (!cellBegin.empty())
+    {
+      this->divide(node, cellBegin, 0, static_cast<std::uint32_t>(cellBegin.size() - 1));
+    }
   }
 
   /// Give a node the points of the cells from @p first on, before @p last: a power of two of them.
@@ -209,6 +221,7 @@ private:
   }
 
   PartTree<AnyVertex>& tree;
+  const OctahedralMap& map;
   std::uint32_t mostPoints;
   Monitor& monitor;
 };
@@ -217,12 +230,8 @@ private:
 
 template <class AnyVertex>
 PartTree<AnyVertex> cutIntoParts(const PointSource& source, const PointSubset& subset,
-  const CoordinateRange& box, std::uint32_t most, Monitor& monitor)
+  const OctahedralMap& map, const HilbertCurve& curve, std::uint32_t most, Monitor& monitor)
 {
-  HilbertCurve curve;
-  curve.add(box.low);
-  curve.add(box.high);
-  curve.prepare();
   PartTree<AnyVertex> tree;
   const auto vertexOf = [&source](std::uint32_t id)
   {
@@ -235,8 +244,8 @@ PartTree<AnyVertex> cutIntoParts(const PointSource& source, const PointSubset& s
       return withoutWeight(source.vertex(id));
     }
   };
-  Cutter<AnyVertex> cutter(tree, most, monitor);
-  if (!subset.checkFinite)
+  Cutter<AnyVertex> cutter(tree, map, most, monitor);
+  if (!subset.checkFinite && !subset.ids && subset.excludedCount == 0)
   {
     tree.vertices.allocate(std::size_t(subset.count) + 1);
     cutter.cutAll(curve, vertexOf);
@@ -258,9 +267,9 @@ PartTree<AnyVertex> cutIntoParts(const PointSource& source, const PointSubset& s
   return tree;
 }
 
-template PartTree<PlaneVertex> cutIntoParts(
-  const PointSource&, const PointSubset&, const CoordinateRange&, std::uint32_t, Monitor&);
-template PartTree<Vertex> cutIntoParts(
-  const PointSource&, const PointSubset&, const CoordinateRange&, std::uint32_t, Monitor&);
+template PartTree<PlaneVertex> cutIntoParts(const PointSource&, const PointSubset&,
+  const OctahedralMap&, const HilbertCurve&, std::uint32_t, Monitor&);
+template PartTree<Vertex> cutIntoParts(const PointSource&, const PointSubset&, const OctahedralMap&,
+  const HilbertCurve&, std::uint32_t, Monitor&);
 
 }

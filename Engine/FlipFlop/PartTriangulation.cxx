@@ -7,7 +7,7 @@
 namespace flipflop
 {
 
-PlanePart PartTriangulation::build()
+Part PartTriangulation::build()
 {
   if (!this->start())
   {
@@ -17,9 +17,9 @@ PlanePart PartTriangulation::build()
   {
     this->insert(v);
   }
-  PlanePart part;
+  Part part;
   part.firstFree = this->next;
-  findFarthest<false>(this->mesh, anySpoke(this->mesh, this->firstTriangle), part);
+  setBorder<Geometry>(this->mesh, anySpoke(this->mesh, this->firstTriangle), part);
   return part;
 }
 
@@ -48,7 +48,7 @@ bool PartTriangulation::start()
 }
 
 /// The virtual triangles of collinear points, on both sides of the edges between neighbours.
-PlanePart PartTriangulation::chain()
+Part PartTriangulation::chain()
 {
   PlaneVertex* const v = this->mesh.vertices;
   std::sort(v + this->begin, v + this->end,
@@ -68,13 +68,13 @@ PlanePart PartTriangulation::chain()
     v[i].flags = VertexAlive;
   }
   this->insertions = stays + 1 - this->begin;
-  PlanePart part;
+  Part part;
   for (std::uint32_t i = this->begin; i < stays; ++i)
   {
     const std::uint32_t right = this->next;
     const std::uint32_t left = this->next + 1;
-    this->mesh.setTriangle(right, i, i + 1, PlaneVirtual);
-    this->mesh.setTriangle(left, i + 1, i, PlaneVirtual);
+    this->mesh.setTriangle(right, i, i + 1, VirtualSlot);
+    this->mesh.setTriangle(left, i + 1, i, VirtualSlot);
     this->mesh.link(halfEdge(right, 0), halfEdge(left, 0));
     if (i == this->begin)
     {
@@ -94,7 +94,7 @@ PlanePart PartTriangulation::chain()
     return part;
   }
   this->mesh.link(halfEdge(this->next - 2, 1), halfEdge(this->next - 1, 2));
-  findFarthest<false>(this->mesh, halfEdge(this->firstTriangle, 2), part);
+  setBorder<Geometry>(this->mesh, halfEdge(this->firstTriangle, 2), part);
   return part;
 }
 
@@ -146,7 +146,7 @@ bool PartTriangulation::locate(const PlaneVertex& q, Location& location)
   for (int k = 0; k < 3; ++k)
   {
     const std::uint32_t* const v = triangles[t].v;
-    if (v[k] == PlaneVirtual)
+    if (v[k] == VirtualSlot)
     {
       if (this->orient(v[nextCorner(k)], v[previousCorner(k)], q) > 0)
       {
@@ -176,7 +176,7 @@ bool PartTriangulation::locate(const PlaneVertex& q, Location& location)
     v = triangles[t].v;
     const int side = location.side;
     const std::uint32_t apex = v[previousCorner(side)];
-    if (apex == PlaneVirtual)
+    if (apex == VirtualSlot)
     {
       return false;
     }
@@ -275,10 +275,10 @@ void PartTriangulation::flipOutside(const PlaneVertex& q, const std::uint32_t* c
   {
     std::uint32_t t = child[i];
     const std::uint32_t* const v = this->mesh.triangles[t].v;
-    const bool isFirst = v[0] == PlaneVirtual;
+    const bool isFirst = v[0] == VirtualSlot;
     std::uint32_t end = v[isFirst ? 1 : 0]; // of the border edge before the next
     Row row = squared(this->rowOf(end, q));
-    if (!isFirst && v[1] != PlaneVirtual)
+    if (!isFirst && v[1] != VirtualSlot)
     {
       const Row other = squared(this->rowOf(v[1], q));
       this->append(count, { t, row, other, this->cross(q, row, other, v[0], v[1], isPlain) });
@@ -335,7 +335,7 @@ void PartTriangulation::flipIn(const PlaneVertex& q, const Waiting& first, std::
     Row row{};
     double bd = 0;
     double da = 0;
-    if (d != PlaneVirtual)
+    if (d != VirtualSlot)
     {
       row = squared(this->rowOf(d, q));
       bd = w.b.x * row.y - w.b.y * row.x;
@@ -392,15 +392,15 @@ bool PartTriangulation::wantsFlip(const PlaneVertex& q, std::uint32_t h)
   const std::uint32_t a = near[0];
   const std::uint32_t b = near[1];
   const std::uint32_t d = this->mesh.origin(previousHalfEdge(this->mesh.twin(h)));
-  if (a == PlaneVirtual)
+  if (a == VirtualSlot)
   {
     return this->orient(d, b, q) > 0;
   }
-  if (b == PlaneVirtual)
+  if (b == VirtualSlot)
   {
     return this->orient(a, d, q) > 0;
   }
-  if (d == PlaneVirtual)
+  if (d == VirtualSlot)
   {
     return this->orient(a, b, q) == 0; // on the border
   }

@@ -12,7 +12,7 @@
 #ifndef flipflop_PartTriangulation_h
 #define flipflop_PartTriangulation_h
 
-#include "FlipFlop/PlanePart.h"
+#include "FlipFlop/Part.h"
 #include "FlipFlop/Tally.h"
 #include "Geometry/LiftedGeometry.h"
 
@@ -44,7 +44,7 @@ public:
   {
   }
 
-  PlanePart build();
+  Part build();
 
   void addTo(Tally& tally) const;
 
@@ -75,7 +75,7 @@ private:
   };
 
   bool start();
-  PlanePart chain();
+  Part chain();
   void insert(std::uint32_t v);
   bool locate(const PlaneVertex& q, Location& location);
   double cross(const PlaneVertex& q, const Row& a, const Row& b, std::uint32_t va, std::uint32_t vb,

@@ -260,12 +260,10 @@ bool insertFurthest(const BuildTask<HullGeometry>& task, Polyhedron& polyhedron,
   std::copy(polyhedron.vertices.begin(), polyhedron.vertices.end(), larger.vertices.begin());
   std::copy(polyhedron.triangles.begin(), polyhedron.triangles.end(), larger.triangles.begin());
   const HullGeometry local = task.geometry; // counts its own exact calls
-  const auto notShared = [](std::uint32_t) { return false; };
-  using Unshared = decltype(notShared);
-  Flipper<HullGeometry, Unshared> flipper(
-    local, larger.mesh(), notShared, task.options.vBiased, task.monitor);
-  Insertion<HullGeometry, Unshared> insertion(local, larger.mesh(), flipper, chosen[0].triangle,
-    triangles, static_cast<std::uint32_t>(triangles + 2 * count));
+  Flipper<HullGeometry, NoneShared> flipper(
+    local, larger.mesh(), NoneShared(), task.options.vBiased, task.monitor);
+  Insertion<HullGeometry> insertion(local, larger.mesh(), flipper, chosen[0].triangle, triangles,
+    static_cast<std::uint32_t>(triangles + 2 * count));
   for (std::size_t i = 0; i < count; ++i)
   {
     const auto slot = static_cast<std::uint32_t>(base + i);

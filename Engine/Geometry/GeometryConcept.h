@@ -43,7 +43,7 @@ constexpr bool hasSigns()
   // Are all points vertices but for duplicates? Is it built by parts (PartsBuilder), from points
   // alone? Else it is built by growing and flipping in rounds, from a tetrahedron (Builder).
   FF_REQUIRES(const bool, Geometry::AllExtreme);
-  FF_REQUIRES(const bool, Geometry::BuiltByParts);
+  FF_REQUIRES(const bool, Geometry::IsPlanar);
 
   // The kernel point: a position, or the exact centroid of four vertices, which no double need be.
   // kernel() is rounded then.
@@ -110,7 +110,7 @@ constexpr bool hasStart()
   return true;
 }
 
-/// What Builder needs besides, of models that are not BuiltByParts: tests of planes and split
+/// What Builder needs besides, of models that are not IsPlanar: tests of planes and split
 /// cones, prepared for many points, each a rounded value and its error bound.
 template <class Geometry>
 constexpr bool canGrow()
@@ -164,7 +164,7 @@ constexpr bool canGrow()
 template <class Geometry>
 constexpr bool isGeometry()
 {
-  if constexpr (!Geometry::BuiltByParts)
+  if constexpr (!Geometry::IsPlanar)
   {
     static_assert(canGrow<Geometry>());
   }

@@ -41,13 +41,15 @@ public:
   /// Are all points vertices but for duplicates?
   static constexpr bool AllExtreme = false;
 
-  /// Do threads of this machine insert all points, part by part (PartsBuilder)? Else they grow
-  /// first and flip afterwards where that is faster (Builder).
-  static constexpr bool BuiltByParts = false;
+  /// Is all of it above a plane, and the kernel point at the height -infinity?
+  static constexpr bool IsPlanar = false;
 
   /// Differences of up to 2^16 units of a lattice make products of three, sums of six of which are
   /// below 2^53 units.
   static constexpr int LatticeBits = 16;
+
+  /// The finer lattice of moveNearLattice() has this many bits more.
+  static constexpr int BitsBelowLattice = 3;
 
   HullGeometry() = default;
 
@@ -78,6 +80,43 @@ public:
       : this->inRange                     ? bound
                                           : std::numeric_limits<double>::infinity();
     this->kernelError = std::numeric_limits<double>::infinity();
+  }
+
+  /// The same for the points and one more.
+  HullGeometry withPoint(const double* point) const
+  {
+    CoordinateRange range;
+    Lattice lattice;
+    lattice.unit = std::ldexp(this->exactWithin, -LatticeBits - BitsBelowLattice);
+    lattice.everywhere = this->exactInDouble;
+    for (int i = 0; i < 3; ++i)
+    {
+      range.low[i] = std::fmin(this->low[i], point[i]);
+      range.high[i] = std::fmax(this->high[i], point[i]);
+      if (lattice.unit > 0 && std::fmod(point[i], lattice.unit) != 0)
+      {
+        lattice = Lattice();
+      }
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      lattice.everywhere =
+        lattice.everywhere && range.high[i] - range.low[i] <= std::ldexp(lattice.unit, LatticeBits);
+    }
+    Arithmetic arithmetic;
+    arithmetic.wide = this->wide;
+    return { range, arithmetic, lattice };
+  }
+
+  /// Where the points are on a lattice, move another by less than a unit to a finer one, but to no
+  /// plane that grids have. Determinants with it are exact in double then, as others are.
+  void moveNearLattice(double* point) const
+  {
+    const double unit = std::ldexp(this->exactWithin, -LatticeBits);
+    for (int i = 0; i < 3 && unit > 0; ++i)
+    {
+      point[i] = (std::floor(point[i] / unit) + std::ldexp(1.0, i - BitsBelowLattice)) * unit;
+    }
   }
 
   /// Use a point as kernel point, as it is. Whether it is inside is for the signs to decide.
@@ -111,6 +150,9 @@ public:
       ? DeterminantError * this->reach[0] * this->reach[1] * this->reach[2] + slack
       : std::numeric_limits<double>::infinity();
   }
+
+  /// A height that is far above all points.
+  double farAlongZ() const { return 2 * this->high[2] - this->low[2]; }
 
   /// The kernel point, rounded when it is symbolic.
   const double* kernel() const { return this->kernelPoint.coordinates(); }
@@ -226,6 +268,19 @@ public:
     const Vertex& a, const Vertex& b, const Vertex& c, int p, int q, int& sign) const
   {
     return ExpansionSigns::filterOrient2(a.x, b.x, c.x, p, q, sign) || this->exactInDouble;
+  }
+
+  /// Orientation of three points, seen from the kernel point. Exact.
+  int orient(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    return this->kernelBeneath(a, b, c);
+  }
+
+  /// Do two points lie on a line with a kernel point that is a double's? Exact.
+  bool sameDirection(const Vertex& a, const Vertex& b) const
+  {
+    const double* const s = this->kernel();
+    return this->collinear(a, b, Vertex{ { s[0], s[1], s[2] }, NoIndex, 0 });
   }
 
   /// Do the three points lie on a line? Exact.

@@ -54,6 +54,30 @@ Polyhedron makeTetrahedron(const Vertex* corner)
   return result;
 }
 
+void setKernelInside(HullGeometry& geometry, const Polyhedron& tetrahedron)
+{
+  // Unequal weights keep the kernel off the planes of a grid.
+  static constexpr double weight[4] = { 0.2718281828, 0.2414213562, 0.2236067977, 0.2631436633 };
+  const Vertex* const corner = tetrahedron.vertices.data();
+  double s[3] = { 0, 0, 0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      s[i] += weight[k] * corner[k].x[i];
+    }
+  }
+  geometry.setKernel(s);
+  for (const Triangle& t : tetrahedron.triangles)
+  {
+    if (geometry.kernelBeneath(corner[t.v[0]], corner[t.v[1]], corner[t.v[2]]) <= 0)
+    {
+      geometry.setSymbolicKernel(corner);
+      return;
+    }
+  }
+}
+
 Polyhedron startingTetrahedron(
   HullGeometry& geometry, const PointSource& source, const std::uint32_t* ids)
 {
@@ -69,28 +93,7 @@ Polyhedron startingTetrahedron(
   }
   Polyhedron result = makeTetrahedron(corner);
 
-  // Unequal weights keep the kernel off the planes of a grid.
-  static constexpr double weight[4] = { 0.2718281828, 0.2414213562, 0.2236067977, 0.2631436633 };
-  double s[3] = { 0, 0, 0 };
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      s[i] += weight[k] * corner[k].x[i];
-    }
-  }
-  geometry.setKernel(s);
-  bool inside = true;
-  for (const Triangle& t : result.triangles)
-  {
-    inside = inside &&
-      geometry.kernelBeneath(
-        result.vertices[t.v[0]], result.vertices[t.v[1]], result.vertices[t.v[2]]) > 0;
-  }
-  if (!inside)
-  {
-    geometry.setSymbolicKernel(corner);
-  }
+  setKernelInside(geometry, result);
   return result;
 }
 
@@ -116,6 +119,7 @@ void centerKernel(HullGeometry& geometry, const Polyhedron& polyhedron)
   {
     coordinate /= weight;
   }
+  geometry.moveNearLattice(s);
   HullGeometry candidate = geometry;
   candidate.setKernel(s);
   if (isFinite(s) && seesAll(candidate, polyhedron))

@@ -19,6 +19,17 @@ namespace flipflop
 /// The tetrahedron of four vertices, of which the last is beneath the triangle of the others.
 Polyhedron makeTetrahedron(const Vertex* corner);
 
+/// The kernel point, rounded when it is symbolic, as a vertex: behind all points' ids, as where the
+/// perturbation breaks ties with it.
+inline Vertex kernelVertex(const HullGeometry& geometry)
+{
+  const double* const s = geometry.kernel();
+  return { { s[0], s[1], s[2] }, NoIndex, VertexAlive };
+}
+
+/// Set the geometry's kernel point inside a tetrahedron.
+void setKernelInside(HullGeometry& geometry, const Polyhedron& tetrahedron);
+
 /// The tetrahedron of four independent points; the geometry's kernel point is set inside it.
 Polyhedron startingTetrahedron(
   HullGeometry& geometry, const PointSource& source, const std::uint32_t* ids);

@@ -48,9 +48,8 @@ public:
   /// Are all points vertices but for duplicates? All are, on a paraboloid.
   static constexpr bool AllExtreme = !Weighted;
 
-  /// Do threads of this machine insert all points, part by part (PartsBuilder)? Else they grow
-  /// first and flip afterwards where that is faster (Builder).
-  static constexpr bool BuiltByParts = true;
+  /// Is all of it above a plane, and the kernel point at the height -infinity?
+  static constexpr bool IsPlanar = true;
 
   /// Differences of up to 2^12 units of a lattice, and weights' below latticeWeights(), make
   /// heights below 2^26 square units, and six products of three whose sums are below 2^53.
@@ -222,6 +221,9 @@ public:
     return this->filterOrient(a.x, b.x, c.x, sign) ? sign
                                                    : this->exactOrientation({ &a, &b, &c, 1 });
   }
+
+  /// Are two points one, seen from the virtual vertex?
+  static bool sameDirection(const Vertex& a, const Vertex& b) { return samePlanePosition(a, b); }
 
   /// Is one of them the virtual vertex?
   template <class... Others>

@@ -9,6 +9,7 @@
 #include "Support/Parallel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -94,6 +95,35 @@ public:
     const double half =
       std::max(0.5 * this->high[0] - 0.5 * this->low[0], 0.5 * this->high[1] - 0.5 * this->low[1]);
     this->scale = half > 0 ? 0.5 * Steps / half : 0;
+  }
+
+  /// The curve through the squares of a grid with @p side of them along each axis, a power of two,
+  /// from the origin on; they are cells.
+  static HilbertCurve ofCells(int side)
+  {
+    HilbertCurve curve;
+    const double end = side * (Steps / (Steps + 1));
+    const double box[2][2] = { { 0, 0 }, { end, end } };
+    curve.add(box[0]);
+    curve.add(box[1]);
+    curve.prepare();
+    return curve;
+  }
+
+  /// May a position be in another cell, of so many first bits, if it is off by @p error?
+  bool isNearBorder(const double* uv, double error, int bits) const
+  {
+    const double width = 1 << (16 - (bits + 1) / 2);
+    constexpr double Rounding = 1e-10; // of a number of steps
+    for (int i = 0; i < 2; ++i)
+    {
+      const double cells = (uv[i] - this->low[i]) * this->scale / width;
+      if (!(std::fabs(cells - std::nearbyint(cells)) * width > error * this->scale + Rounding))
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   /// Do all positions coincide, or nearly so: their differences halved are zero?

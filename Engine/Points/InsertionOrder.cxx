@@ -8,7 +8,6 @@
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace flipflop
 {
@@ -182,38 +181,6 @@ Buffer<Keyed> sortedAlongCurve(const PointSource& source, const PointSubset& sub
 
 }
 
-OctahedralMap::OctahedralMap(const double* kernel, const double (*basis)[3])
-  : isOctahedral(true)
-{
-  std::copy_n(kernel, 3, this->origin);
-  for (int i = 0; i < 3; ++i)
-  {
-    std::copy_n(basis[i], 3, this->matrix[i]);
-  }
-}
-
-void OctahedralMap::mapDirection(const double* x, double* uv) const
-{
-  const double d[3] = { x[0] - this->origin[0], x[1] - this->origin[1], x[2] - this->origin[2] };
-  double q[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    q[i] = this->matrix[i][0] * d[0] + this->matrix[i][1] * d[1] + this->matrix[i][2] * d[2];
-  }
-  const double sum = std::fabs(q[0]) + std::fabs(q[1]) + std::fabs(q[2]);
-  // One at the kernel point has no direction.
-  const double factor = sum > 0 ? 1 / sum : 0;
-  uv[0] = q[0] * factor;
-  uv[1] = q[1] * factor;
-  if (q[2] < 0)
-  {
-    // The lower faces are folded up, outside the upper ones.
-    const double u = uv[0];
-    uv[0] = std::copysign(1 - std::fabs(uv[1]), u);
-    uv[1] = std::copysign(1 - std::fabs(u), uv[1]);
-  }
-}
-
 Buffer<std::uint32_t> curveOrder(const PointSource& source, const PointSubset& subset,
   const OctahedralMap& octahedral, Monitor& monitor)
 {
@@ -230,21 +197,16 @@ Buffer<std::uint32_t> curveOrder(const PointSource& source, const PointSubset& s
   return ids;
 }
 
-InsertionOrder insertionOrder(const PointSource& source, const PointSubset& subset,
+Buffer<std::uint32_t> insertionOrder(const PointSource& source, const PointSubset& subset,
   const OctahedralMap& octahedral, Monitor& monitor)
 {
   const Buffer<Keyed> keyed = sortedAlongCurve(source, subset, octahedral, monitor);
-  const std::size_t count = keyed.size();
-
-  // Each level's points in the curve's order.
-  InsertionOrder order;
-  order.ids.allocate(count);
-  order.levelEnds = distribute(
-    count, InsertionLevels, monitor,
+  Buffer<std::uint32_t> ids(keyed.size());
+  distribute(
+    keyed.size(), InsertionLevels, monitor,
     [&](std::size_t i) -> std::size_t { return insertionLevelOf(keyed[i].id); },
-    [&](std::size_t i, std::uint32_t index) { order.ids[index] = keyed[i].id; });
-  order.levelEnds.erase(order.levelEnds.begin()); // one begins where the one before ends
-  return order;
+    [&](std::size_t i, std::uint32_t index) { ids[index] = keyed[i].id; });
+  return ids;
 }
 
 }

@@ -13,6 +13,7 @@
 #ifndef flipflop_InsertionOrder_h
 #define flipflop_InsertionOrder_h
 
+#include "Points/OctahedralMap.h"
 #include "Points/PointSource.h"
 #include "Points/PointSubset.h"
 #include "Support/Monitor.h"
@@ -24,53 +25,15 @@
 namespace flipflop
 {
 
-/// Where the curve sees a point.
-class OctahedralMap
-{
-public:
-  /// Points of the plane, where they are.
-  OctahedralMap() = default;
-
-  /// Points around another: their directions, on the faces of an octahedron that is laid out in a
-  /// square.
-  /// @param basis lower triangular; makes what lies around the kernel point about as wide along all
-  ///              axes
-  OctahedralMap(const double* kernel, const double (*basis)[3]);
-
-  void map(const double* x, double* uv) const
-  {
-    if (!this->isOctahedral)
-    {
-      uv[0] = x[0];
-      uv[1] = x[1];
-      return;
-    }
-    this->mapDirection(x, uv);
-  }
-
-private:
-  void mapDirection(const double* x, double* uv) const;
-
-  bool isOctahedral = false;
-  double origin[3] = { 0, 0, 0 };
-  double matrix[3][3] = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } };
-};
-
 /// The points along the curve, without levels: those that are near each other come near each other.
 /// A function of the points and the map alone.
 /// @throw Error Aborted, OutOfMemory
 Buffer<std::uint32_t> curveOrder(const PointSource& source, const PointSubset& subset,
   const OctahedralMap& octahedral, Monitor& monitor);
 
-struct InsertionOrder
-{
-  Buffer<std::uint32_t> ids;
-  std::vector<std::uint32_t> levelEnds; ///< indices in ids, ascending; the last is their number
-};
-
-/// The order of points: a function of the points and the map alone.
+/// The order of points, level by level: a function of the points and the map alone.
 /// @throw Error Aborted, OutOfMemory
-InsertionOrder insertionOrder(const PointSource& source, const PointSubset& subset,
+Buffer<std::uint32_t> insertionOrder(const PointSource& source, const PointSubset& subset,
   const OctahedralMap& octahedral, Monitor& monitor);
 
 }

@@ -9,7 +9,7 @@
 
 #include "Finish/Canonical.h"
 #include "Finish/Redundant.h"
-#include "FlipFlop/InsertionBuilder.h"
+#include "FlipFlop/CurveInsertion.h"
 #include "Geometry/GeometryConcept.h"
 #include "Geometry/HullGeometry.h"
 #include "Geometry/HullStart.h"
@@ -31,7 +31,7 @@ class RationalGeometry : public PredicateSteps<RationalGeometry>
 {
 public:
   static constexpr bool AllExtreme = false;
-  static constexpr bool BuiltByParts = true;
+  static constexpr bool IsPlanar = true;
 
   HullGeometry hull;
 
@@ -100,7 +100,12 @@ public:
   BuildResult build(const BuildTask<RationalGeometry>& task, Polyhedron&& start, Tally& tally,
     Statistics& statistics) override
   {
-    return InsertionBuilder<RationalGeometry>::build(task, std::move(start), tally, statistics);
+    const std::vector<std::uint32_t> corners = start.pointIds();
+    PointSubset subset;
+    subset.count = task.source.count();
+    subset.exclude(corners);
+    const OctahedralMap map = octahedralMapOf(task.geometry, start);
+    return insertAlongCurve(task, std::move(start), subset, map, 0.1, 0.9, tally, statistics);
   }
 };
 

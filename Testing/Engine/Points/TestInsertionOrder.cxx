@@ -3,6 +3,7 @@
 /// @file
 /// The order of insertion: every point once, in levels that grow, each along a curve that stays
 /// near, wherever the points crowd.
+#include "Points/HilbertCurve.h"
 #include "Points/InsertionOrder.h"
 #include "Support/Threads.h"
 #include "Testing/Engine/Conformance/Compare.h"
@@ -20,12 +21,12 @@ namespace test
 namespace
 {
 
-InsertionOrder orderOf(const Cloud& cloud, const std::vector<std::uint32_t>& without = {},
+Buffer<std::uint32_t> orderOf(const Cloud& cloud, const std::vector<std::uint32_t>& without = {},
   bool skipNonFinite = false, int threads = 1)
 {
   const Options options;
   Monitor monitor(options);
-  InsertionOrder result;
+  Buffer<std::uint32_t> result;
   ArenaLoan arena(threads);
   arena.execute(
     [&]
@@ -44,29 +45,36 @@ Cloud inSquare(int count, double side, double x, double y, std::uint64_t seed)
   return moved(scaled(randomSites(count, 0, seed), side, side, 0), x, y, 0);
 }
 
-/// How far it is, in all, from point to point of the last level, steps to an outlier left out.
-double wayThroughLastLevel(const Cloud& cloud, const InsertionOrder& order)
+/// Where the last level begins.
+std::size_t lastLevelOf(const Buffer<std::uint32_t>& ids)
 {
-  const std::size_t levels = order.levelEnds.size();
+  return static_cast<std::size_t>(
+    std::find_if(ids.begin(), ids.end(),
+      [](std::uint32_t id) { return insertionLevelOf(id) == InsertionLevels - 1; }) -
+    ids.begin());
+}
+
+/// How far it is, in all, from point to point of the last level, steps to an outlier left out.
+double wayThroughLastLevel(const Cloud& cloud, const Buffer<std::uint32_t>& ids)
+{
   double way = 0;
-  for (std::size_t i = order.levelEnds[levels - 2] + 1; i < order.ids.size(); ++i)
+  for (std::size_t i = lastLevelOf(ids) + 1; i < ids.size(); ++i)
   {
-    const auto& p = cloud[order.ids[i - 1]];
-    const auto& q = cloud[order.ids[i]];
+    const auto& p = cloud[ids[i - 1]];
+    const auto& q = cloud[ids[i]];
     const double step = std::hypot(q[0] - p[0], q[1] - p[1]);
     way += step < 1 ? step : 0;
   }
   return way;
 }
 
-void expectEachOnce(const InsertionOrder& order, std::vector<std::uint32_t> wanted)
+void expectEachOnce(const Buffer<std::uint32_t>& order, std::vector<std::uint32_t> wanted)
 {
-  std::vector<std::uint32_t> ids(order.ids.begin(), order.ids.end());
+  EXPECT_TRUE(std::is_sorted(order.begin(), order.end(),
+    [](std::uint32_t a, std::uint32_t b) { return insertionLevelOf(a) < insertionLevelOf(b); }));
+  std::vector<std::uint32_t> ids(order.begin(), order.end());
   std::sort(ids.begin(), ids.end());
   EXPECT_EQ(ids, wanted);
-  ASSERT_FALSE(order.levelEnds.empty());
-  EXPECT_TRUE(std::is_sorted(order.levelEnds.begin(), order.levelEnds.end()));
-  EXPECT_EQ(order.levelEnds.back(), order.ids.size());
 }
 
 }
@@ -99,22 +107,27 @@ TEST(InsertionOrder, HoldsEachPointOnce)
 
 TEST(InsertionOrder, EachLevelHasSevenTimesAllBefore)
 {
-  const InsertionOrder order = orderOf(inSquare(100000, 1, 0, 0, 2));
-  const std::size_t levels = order.levelEnds.size();
-  for (std::size_t level = levels - 1; level > levels - 4; --level)
+  std::vector<double> upTo(InsertionLevels);
+  for (const std::uint32_t id : orderOf(inSquare(100000, 1, 0, 0, 2)))
   {
-    const double all = order.levelEnds[level];
-    EXPECT_NEAR(order.levelEnds[level - 1], all / 8, 5 * std::sqrt(all / 8)) << "level " << level;
+    for (std::uint32_t level = insertionLevelOf(id); level < InsertionLevels; ++level)
+    {
+      ++upTo[level];
+    }
+  }
+  for (std::size_t level = InsertionLevels - 1; level > InsertionLevels - 4; --level)
+  {
+    const double share = upTo[level] / 8;
+    EXPECT_NEAR(upTo[level - 1], share, 5 * std::sqrt(share)) << "level " << level;
   }
 }
 
 TEST(InsertionOrder, IsTheSameOnManyThreads)
 {
   const Cloud cloud = joined(inSquare(60000, 1, 0, 0, 3), inSquare(60000, 1e-9, 0.5, 0.5, 4));
-  const InsertionOrder one = orderOf(cloud);
-  const InsertionOrder four = orderOf(cloud, {}, false, 4);
-  EXPECT_TRUE(std::equal(one.ids.begin(), one.ids.end(), four.ids.begin(), four.ids.end()));
-  EXPECT_EQ(one.levelEnds, four.levelEnds);
+  const Buffer<std::uint32_t> one = orderOf(cloud);
+  const Buffer<std::uint32_t> four = orderOf(cloud, {}, false, 4);
+  EXPECT_TRUE(std::equal(one.begin(), one.end(), four.begin(), four.end()));
 }
 
 TEST(InsertionOrder, TheWayIsShort)
@@ -127,53 +140,6 @@ TEST(InsertionOrder, TheWayIsShort)
   EXPECT_LT(wayThroughLastLevel(cloud, orderOf(cloud)), 1.2 * side * std::sqrt(count));
   cloud.push_back({ 1, 1, 0 });
   EXPECT_LT(wayThroughLastLevel(cloud, orderOf(cloud)), 1.5 * side * std::sqrt(count));
-}
-
-/// The direction that an unfolded place stands for.
-Point foldedBack(const double* uv)
-{
-  const double z = 1 - std::fabs(uv[0]) - std::fabs(uv[1]);
-  return z >= 0 ? Point{ uv[0], uv[1], z }
-                : Point{ std::copysign(1 - std::fabs(uv[1]), uv[0]),
-                    std::copysign(1 - std::fabs(uv[0]), uv[1]), z };
-}
-
-TEST(OctahedralMap, GivesEachDirectionAPlaceInTheSquare)
-{
-  Random random(6);
-  const double kernel[3] = { 1, -2, 0.5 };
-  const double basis[3][3] = { { 2, 0, 0 }, { -1, 1, 0 }, { 0.5, 0.25, 4 } };
-  const OctahedralMap octahedral(kernel, basis);
-  for (int i = 0; i < 10000; ++i)
-  {
-    const double d[3] = { random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5 };
-    const double near[3] = { kernel[0] + d[0], kernel[1] + d[1], kernel[2] + d[2] };
-    const double far[3] = { kernel[0] + 9 * d[0], kernel[1] + 9 * d[1], kernel[2] + 9 * d[2] };
-    double uv[2], same[2];
-    octahedral.map(near, uv);
-    octahedral.map(far, same);
-    double size = 0;
-    double seen[3];
-    for (int k = 0; k < 3; ++k)
-    {
-      seen[k] = basis[k][0] * d[0] + basis[k][1] * d[1] + basis[k][2] * d[2];
-      size += std::fabs(seen[k]);
-    }
-    const Point back = foldedBack(uv);
-    for (int k = 0; k < 3; ++k)
-    {
-      ASSERT_NEAR(back[static_cast<std::size_t>(k)], seen[k] / size, 1e-10);
-    }
-    for (int k = 0; k < 2; ++k)
-    {
-      ASSERT_LE(std::fabs(uv[k]), 1);
-      ASSERT_NEAR(uv[k], same[k], 1e-10) << "only the direction counts";
-    }
-  }
-  double uv[2];
-  octahedral.map(kernel, uv);
-  EXPECT_EQ(uv[0], 0);
-  EXPECT_EQ(uv[1], 0);
 }
 
 }
