@@ -81,50 +81,39 @@ PartBelt::HullEdge PartBelt::findEdge() const
   return edge;
 }
 
-/// Flip away the triangles of a part at its border that a vertex is above, and hide the vertices
-/// that have no other: the border is what the vertex sees the part's rest behind, then.
+/// Flip away the triangles of a part that a vertex is above: behind the border edges that it is
+/// outside of, for these triangles are connected.
 void PartBelt::uncoverFor(Shore& shore, std::uint32_t viewer)
 {
   if (shore.spoke == NoIndex)
   {
     return;
   }
-  shore.edges = 1;
-  for (std::uint32_t s = this->onward(shore, shore.spoke); s != shore.spoke;
-       s = this->onward(shore, s))
+  const std::uint32_t start = shore.vertex;
+  shore.edges = 0;
+  do
   {
+    std::uint32_t behind = 1; // edges in place of one
+    const bool isOutside = this->orient(shore.vertex, this->upper(shore, shore.spoke), viewer) ==
+      (shore.isLeft ? -1 : 1);
     ++shore.edges;
-  }
-  for (std::uint32_t unchanged = 0; unchanged < shore.edges;)
-  {
-    const std::uint32_t inner = this->mesh.twin(nextHalfEdge(shore.spoke));
-    const std::uint32_t next = this->onward(shore, shore.spoke);
-    if (this->mesh.origin(previousHalfEdge(inner)) != VirtualSlot)
+    while (behind > 0)
     {
+      const std::uint32_t inner = this->mesh.twin(nextHalfEdge(shore.spoke));
       const std::uint32_t* const v = this->mesh.triangles[triangleOf(inner)].v;
-      if (this->geometry.perturbedAbove(this->mesh.vertex(v[0]), this->mesh.vertex(v[1]),
-            this->mesh.vertex(v[2]), this->mesh.vertex(viewer)) > 0)
+      if (isOutside && this->mesh.origin(previousHalfEdge(inner)) != VirtualSlot &&
+        this->geometry.perturbedAbove(this->mesh.vertex(v[0]), this->mesh.vertex(v[1]),
+          this->mesh.vertex(v[2]), this->mesh.vertex(viewer)) > 0)
       {
         this->uncover(shore, inner);
-        unchanged = 0;
+        ++behind;
         continue;
       }
+      shore.vertex = this->upper(shore, shore.spoke);
+      shore.spoke = this->onward(shore, shore.spoke);
+      --behind;
     }
-    else if (triangleOf(next) == triangleOf(inner) && shore.edges > 2)
-    {
-      // The border goes to a vertex and back; perhaps to the one before, too.
-      const std::uint32_t before = this->backward(shore, shore.spoke);
-      this->hideBeyond(shore, inner);
-      this->mesh.link(upperSide(shore, before), lowerSide(shore, shore.spoke));
-      shore.spoke = before;
-      shore.vertex = this->lower(shore, before);
-      unchanged = 0;
-      continue;
-    }
-    shore.vertex = this->upper(shore, shore.spoke);
-    shore.spoke = next;
-    ++unchanged;
-  }
+  } while (shore.vertex != start);
 }
 
 /// Go to a vertex on the border. Where the border passes it twice, to where another vertex sees it.
