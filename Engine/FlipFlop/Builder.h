@@ -274,7 +274,7 @@ private:
         all.count = static_cast<std::uint32_t>(ids.size());
       }
       std::vector<std::uint32_t> out;
-      Polyhedron whole = hullByParts(task, all, map, from, to, out, tally, statistics);
+      Polyhedron whole = hullByParts(task, all, own, map, from, to, out, tally, statistics);
       if (whole.vertexCount() > 0)
       {
         tally.statistics.insertions -= base.vertexCount();

@@ -38,7 +38,7 @@ public:
   void cutAll(const HilbertCurve& curve, const PointAt& pointAt)
   {
     const auto count = static_cast<std::uint32_t>(this->tree.vertices.size() - 1);
-    this->tree.nodes.push_back({ 1, 1 + count, 0, 0, 0 });
+    this->tree.nodes.push_back({ 1, 1 + count, 0, 0 });
     if (this->isAlongCurves(curve, count, pointAt))
     {
       // Larger parts. Those of a curve in space are nearly flat, and most of their signs are exact:

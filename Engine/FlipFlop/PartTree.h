@@ -33,9 +33,7 @@ struct PartNode
   std::uint32_t end = 0;   ///< up to here
   std::uint32_t left = 0;  ///< a node; 0: this one is a part
   std::uint32_t right = 0;
-  // For the builder, of a part:
-  std::uint32_t partEnd = 0; ///< vertices from here on are in no part
-  std::uint32_t trianglesEnd = 0;
+  std::uint32_t trianglesEnd = 0; ///< for the builder: of a part's
 };
 
 /// A range of vertices.

@@ -31,7 +31,7 @@ template <class Geometry>
 class PartsRun
 {
 public:
-  /// @param nodesToBuild of parts, the ends of the vertices and of the triangles in use are set
+  /// @param nodesToBuild of parts, the end of the triangles in use is set
   PartsRun(const BuildTask<Geometry>& taskToDo, const OctahedralMap& mapToUse,
     std::vector<PartNode>& nodesToBuild, const PartMesh<Geometry>& meshToFill)
     : task(taskToDo)
@@ -95,7 +95,7 @@ private:
     return part;
   }
 
-  Part insertAll(PartNode& node, Tally& tally) const
+  Part insertAll(const PartNode& node, Tally& tally) const
   {
     if constexpr (AllExtreme)
     {
@@ -110,9 +110,7 @@ private:
     {
       PerturbedPart<Geometry> perturbed(this->task.geometry, this->mesh, node.begin,
         node.end - node.begin, this->task.options.vBiased, this->task.monitor);
-      const Part part = perturbed.build(tally);
-      node.partEnd = perturbed.verticesEnd();
-      return part;
+      return perturbed.build(tally);
     }
   }
 
@@ -192,6 +190,13 @@ void checkSpace(std::size_t count)
   }
 }
 
+/// Is an id in both? They are ascending.
+bool haveCommon(const std::vector<std::uint32_t>& few, const std::vector<std::uint32_t>& ids)
+{
+  return std::any_of(few.begin(), few.end(),
+    [&](std::uint32_t id) { return std::binary_search(ids.begin(), ids.end(), id); });
+}
+
 /// The ranges of triangles that parts use.
 std::vector<Piece> piecesOf(const std::vector<PartNode>& nodes)
 {
@@ -214,8 +219,8 @@ bool partsPay(const HullGeometry& geometry, std::uint32_t count)
 }
 
 Polyhedron hullByParts(const BuildTask<HullGeometry>& task, const PointSubset& subset,
-  const OctahedralMap& map, double from, double to, std::vector<std::uint32_t>& out, Tally& tally,
-  Statistics& statistics)
+  const std::vector<std::uint32_t>& around, const OctahedralMap& map, double from, double to,
+  std::vector<std::uint32_t>& out, Tally& tally, Statistics& statistics)
 {
   Stopwatch watch;
   const double cut = from + (to - from) / 8;
@@ -227,7 +232,15 @@ Polyhedron hullByParts(const BuildTask<HullGeometry>& task, const PointSubset& s
   const auto isLeft = [&](std::uint32_t node)
   { return tree.vertices[tree.nodes[node].begin].x[0] < task.geometry.kernel()[0]; };
   Polyhedron result;
-  if (root.left == 0 || isLeft(root.left) == isLeft(root.right))
+  for (const VertexRange& range : tree.out)
+  {
+    for (std::uint32_t v = range.begin; v < range.end; ++v)
+    {
+      out.push_back(tree.vertices[v].id);
+    }
+  }
+  std::sort(out.begin(), out.end());
+  if (root.left == 0 || isLeft(root.left) == isLeft(root.right) || haveCommon(out, around))
   {
     return result;
   }
@@ -248,26 +261,6 @@ Polyhedron hullByParts(const BuildTask<HullGeometry>& task, const PointSubset& s
   tally.addPredicates(local, task.geometry);
   result.vertices[VirtualSlot].flags = 0;
   result.pieces = piecesOf(tree.nodes);
-
-  const auto add = [&](std::uint32_t begin, std::uint32_t end)
-  {
-    for (std::uint32_t v = begin; v < end; ++v)
-    {
-      out.push_back(result.vertices[v].id);
-    }
-  };
-  for (const VertexRange& range : tree.out)
-  {
-    add(range.begin, range.end);
-  }
-  for (const PartNode& node : tree.nodes)
-  {
-    if (node.left == 0)
-    {
-      add(node.partEnd, node.end);
-    }
-  }
-  std::sort(out.begin(), out.end());
   statistics.secondsFlip += watch.lap();
   return result;
 }

@@ -26,13 +26,14 @@ namespace flipflop
 bool partsPay(const HullGeometry& geometry, std::uint32_t count);
 
 /// The hull of a subset's points.
-/// @param map      directions from the geometry's kernel point
+/// @param around ids of points, ascending, whose hull the kernel point is inside of
+/// @param map    directions from the geometry's kernel point
 /// @param from, to which part of the run's progress this is
-/// @param out      ids of points that are still to be inserted, ascending
-/// @return empty: there are no parts on two sides of the kernel point
+/// @param out    ids of points that are still to be inserted, ascending
+/// @return empty: the kernel point need not be inside of what parts have
 Polyhedron hullByParts(const BuildTask<HullGeometry>& task, const PointSubset& subset,
-  const OctahedralMap& map, double from, double to, std::vector<std::uint32_t>& out, Tally& tally,
-  Statistics& statistics);
+  const std::vector<std::uint32_t>& around, const OctahedralMap& map, double from, double to,
+  std::vector<std::uint32_t>& out, Tally& tally, Statistics& statistics);
 
 /// As PolyhedronBuilder, from the points alone.
 /// @tparam Weighted false: all weights are zero

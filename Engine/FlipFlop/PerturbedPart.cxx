@@ -32,6 +32,59 @@ HullGeometry geometryInside(const HullGeometry& geometry, const Vertex* corner)
   return result;
 }
 
+/// Bring the first of each run of sorted vertices that are the same to the front.
+/// @return where the others begin
+template <class Same>
+Vertex* keepFirsts(Vertex* first, Vertex* last, const Same& same)
+{
+  Vertex* kept = first;
+  for (Vertex* v = first + 1; v < last; ++v)
+  {
+    if (!same(*kept, *v))
+    {
+      std::swap(*++kept, *v);
+    }
+  }
+  return kept + 1;
+}
+
+/// Sort points on one line along it. At one position, all but one are hidden.
+/// @return where the hidden ones begin
+Vertex* sortCollinear(const LiftedGeometry<true>&, Vertex* first, Vertex* last)
+{
+  std::sort(first, last,
+    [](const Vertex& p, const Vertex& q)
+    {
+      return p.x[0] != q.x[0] ? p.x[0] < q.x[0]
+        : p.x[1] != q.x[1]    ? p.x[1] < q.x[1]
+        : p.x[2] != q.x[2]    ? p.x[2] > q.x[2]
+                              : p.id < q.id;
+    });
+  return keepFirsts(first, last, LiftedGeometry<true>::samePlanePosition);
+}
+
+/// Sort directions on one plane around the kernel point. Of several points in one direction, all
+/// but the farthest are hidden.
+Vertex* sortCollinear(const HullGeometry& geometry, Vertex* first, Vertex* last)
+{
+  const Vertex kernel = kernelVertex(geometry);
+  const auto same = [&](const Vertex& p, const Vertex& q) { return geometry.sameDirection(p, q); };
+  const Vertex* const other =
+    std::find_if(first, last, [&](const Vertex& v) { return !same(*first, v); });
+  int axis = 0; // one along which their plane is not seen edge on
+  while (axis < 2 && other != last && geometry.turn(*first, *other, axis) == 0)
+  {
+    ++axis;
+  }
+  std::sort(first, last,
+    [&](const Vertex& p, const Vertex& q)
+    {
+      const int turn = geometry.turn(p, q, axis);
+      return turn != 0 ? turn > 0 : !samePosition(p, q) ? isWithin(kernel, p, q, 3) : p.id < q.id;
+    });
+  return keepFirsts(first, last, same);
+}
+
 }
 
 template <class Geometry>
@@ -69,46 +122,16 @@ Part PerturbedPart<Geometry>::insertAll(Tally& tally)
   return part;
 }
 
-/// Points on one line, or on a plane through the kernel point.
+/// Points on one line, or in space on one plane through the kernel point.
 template <class Geometry>
 Part PerturbedPart<Geometry>::merge(const Geometry& local, Tally& tally)
 {
-  Vertex* const v = this->mesh.vertices;
-  std::uint32_t stays = this->begin;
-  if constexpr (Geometry::IsPlanar)
-  {
-    std::sort(v + this->begin, v + this->end,
-      [](const Vertex& p, const Vertex& q)
-      {
-        return p.x[0] != q.x[0] ? p.x[0] < q.x[0]
-          : p.x[1] != q.x[1]    ? p.x[1] < q.x[1]
-          : p.x[2] != q.x[2]    ? p.x[2] > q.x[2]
-                                : p.id < q.id;
-      });
-    // At one position, all but one are hidden.
-    for (std::uint32_t i = this->begin + 1; i < this->end; ++i)
-    {
-      if (!Geometry::samePlanePosition(v[stays], v[i]))
-      {
-        std::swap(v[++stays], v[i]);
-      }
-    }
-  }
-  else
-  {
-    std::uint32_t second = this->begin + 1;
-    while (second < this->end && local.sameDirection(v[this->begin], v[second]))
-    {
-      ++second;
-    }
-    if (second < this->end)
-    {
-      std::swap(v[++stays], v[second]);
-    }
-    this->end = stays + 1;
-  }
-  tally.statistics.insertions += stays + 1 - this->begin;
-  return this->mergeRange(this->begin, stays + 1, local, tally);
+  Vertex* const first = this->mesh.vertices + this->begin;
+  Vertex* const last = this->mesh.vertices + this->end;
+  const std::uint32_t end =
+    this->begin + static_cast<std::uint32_t>(sortCollinear(local, first, last) - first);
+  tally.statistics.insertions += end - this->begin;
+  return this->mergeRange(this->begin, end, local, tally);
 }
 
 template <class Geometry>

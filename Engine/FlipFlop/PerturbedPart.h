@@ -5,9 +5,9 @@
 /// time (Insertion.h), by perturbed signs. A point that is hidden within its part is hidden in the
 /// whole, so only the part's visible vertices go on.
 ///
-/// Points on one line of the plane have no triangle to start from. They are merged, one by one, in
-/// their order along it. In space, such points are on a plane through the kernel point: few are,
-/// and only two of them stay in the part.
+/// Points on one line of the plane have no triangle to start from, nor have points in space that
+/// are on one plane with the kernel point. They are merged, one by one, in their order along the
+/// line, or around the kernel point.
 #ifndef flipflop_PerturbedPart_h
 #define flipflop_PerturbedPart_h
 
@@ -44,9 +44,6 @@ public:
   /// @param tally what is done is added to it
   Part build(Tally& tally);
 
-  /// After build(): the vertices from here on are not in the part.
-  std::uint32_t verticesEnd() const { return this->end; }
-
 private:
   Part insertAll(Tally& tally);
   Part merge(const Geometry& local, Tally& tally);
@@ -55,7 +52,7 @@ private:
   const Geometry& geometry;
   const Mesh mesh;
   const std::uint32_t begin;
-  std::uint32_t end;
+  const std::uint32_t end;
   const bool vBiased;
   Monitor& monitor;
 };

@@ -257,10 +257,7 @@ public:
     {
       return sign;
     }
-    ++this->counts.exact;
-    const DeterminantRow<1> last = { { c.x } };
-    return inArithmetic<ExpansionSigns, WideSigns>(
-      this->wide, [&](auto signs) { return signs.orient2(a.x, b.x, last, p, q); });
+    return this->exactPlanar(a.x, b.x, c.x, p, q);
   }
 
   /// The first step alone: false when it cannot decide.
@@ -276,11 +273,17 @@ public:
     return this->kernelBeneath(a, b, c);
   }
 
+  /// Orientation of a kernel point that is a double's, and two points, projected along an axis.
+  /// Exact: the kernel point need not be on the points' lattice.
+  int turn(const Vertex& a, const Vertex& b, int axis) const
+  {
+    return this->exactPlanar(this->kernel(), a.x, b.x, (axis + 1) % 3, (axis + 2) % 3);
+  }
+
   /// Do two points lie on a line with a kernel point that is a double's? Exact.
   bool sameDirection(const Vertex& a, const Vertex& b) const
   {
-    const double* const s = this->kernel();
-    return this->collinear(a, b, Vertex{ { s[0], s[1], s[2] }, NoIndex, 0 });
+    return this->turn(a, b, 0) == 0 && this->turn(a, b, 1) == 0 && this->turn(a, b, 2) == 0;
   }
 
   /// Do the three points lie on a line? Exact.
@@ -379,6 +382,14 @@ private:
     const double error = DeterminantError * x * y * z;
     sign = det > 0.0 ? 1 : (det < 0.0 ? -1 : 0);
     return det > error || det < -error;
+  }
+
+  FF_HD int exactPlanar(const double* a, const double* b, const double* c, int p, int q) const
+  {
+    ++this->counts.exact;
+    const DeterminantRow<1> last = { { c } };
+    return inArithmetic<ExpansionSigns, WideSigns>(
+      this->wide, [&](auto signs) { return signs.orient2(a, b, last, p, q); });
   }
 
   /// Sign of det[b - a; c - a; last - a].

@@ -55,8 +55,8 @@ public:
     all.count = this->source.count();
     Tally tally;
     const auto task = this->task(samples);
-    Polyhedron whole = hullByParts(
-      task, all, octahedralMapOf(this->geometry, start), 0, 1, this->out, tally, hull.statistics);
+    Polyhedron whole = hullByParts(task, all, start.pointIds(),
+      octahedralMapOf(this->geometry, start), 0, 1, this->out, tally, hull.statistics);
     anyParts = whole.vertexCount() > 0;
     return anyParts ? this->faultOf(whole) : "";
   }
