@@ -175,5 +175,31 @@ TEST(HullByParts, IsClosedAndConvexAmongTies)
   EXPECT_GT(withParts, count / 4);
 }
 
+/// Lines, planes, and few points, in many orders.
+TEST(HullByParts, IsClosedAndConvexOnSpecialInputs)
+{
+  for (const Input& input : smallSpecialInputs())
+  {
+    Cloud cloud = input.make();
+    for (int turn = 0; turn < 40 && cloud.size() > 4; ++turn)
+    {
+      for (const int perThread : { 1, 2, 4 })
+      {
+        const PointsPerThread parts(perThread);
+        PartsRunner run(viewOf(cloud), Options());
+        bool anyParts = false;
+        std::string fault = "";
+        EXPECT_NO_THROW(fault = run.fault(anyParts)) << input.name << "\n" << toString(cloud);
+        EXPECT_EQ(fault, "") << input.name << "\n" << toString(cloud);
+      }
+      std::rotate(cloud.begin(), cloud.begin() + 1, cloud.end());
+      if (turn % 3 == 0)
+      {
+        std::swap(cloud[0], cloud[cloud.size() / 2]);
+      }
+    }
+  }
+}
+
 }
 }
