@@ -282,13 +282,9 @@ template <class Geometry>
 bool PartMerge<Geometry>::losesBeyond(
   const Shore& shore, std::uint32_t inner, const Candidate& found)
 {
-  if (shore.edges <= this->edgesUntil(shore, inner))
-  {
-    return false;
-  }
   const std::uint32_t next = this->upper(shore, this->onward(shore, previousHalfEdge(inner)));
   return this->orient(this->left.vertex, this->right.vertex, next) > 0 &&
-    this->inCircle(found, next) > 0;
+    this->inCircle(found, next) > 0 && this->edgesUntil(shore, inner) < shore.edges;
 }
 
 /// How many edges there are from the next one to the one of @p inner, both counted.
