@@ -3,7 +3,7 @@
 #include "Blocks/OwnSites.h"
 
 #include "Blocks/BlockFrame.h"
-#include "Points/InsertionOrder.h"
+#include "Geometry/InsertionOrder.h"
 #include "Points/PointSource.h"
 #include "Points/PointSubset.h"
 #include "Run/QueryRun.h"

@@ -7,7 +7,7 @@
 
 #include "FlipFlop/Insertion.h"
 #include "FlipFlop/PolyhedronBuilder.h"
-#include "Points/InsertionOrder.h"
+#include "Geometry/InsertionOrder.h"
 #include "Support/Parallel.h"
 #include "Support/Stopwatch.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlipFlop/PartTree.h"
 
-#include "Points/HilbertCurve.h"
+#include "Geometry/HilbertCurve.h"
 #include "Support/BucketSort.h"
 #include "Support/Parallel.h"
 

@@ -13,9 +13,9 @@
 #ifndef flipflop_PartTree_h
 #define flipflop_PartTree_h
 
+#include "Geometry/HilbertCurve.h"
+#include "Geometry/OctahedralMap.h"
 #include "Mesh/PlaneMesh.h"
-#include "Points/HilbertCurve.h"
-#include "Points/OctahedralMap.h"
 #include "Points/PointSource.h"
 #include "Points/PointSubset.h"
 #include "Support/Monitor.h"

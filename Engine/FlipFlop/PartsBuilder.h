@@ -12,7 +12,7 @@
 #include "FlipFlop/PolyhedronBuilder.h"
 #include "Geometry/HullGeometry.h"
 #include "Geometry/LiftedGeometry.h"
-#include "Points/OctahedralMap.h"
+#include "Geometry/OctahedralMap.h"
 #include "Points/PointSubset.h"
 
 #include <cstdint>

@@ -12,9 +12,9 @@
 #ifndef flipflop_GeometryConcept_h
 #define flipflop_GeometryConcept_h
 
+#include "Geometry/InsertionOrder.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/Polyhedron.h"
-#include "Points/InsertionOrder.h"
 #include "Points/PointSource.h"
 #include "Points/Vertex.h"
 #include "Predicates/PredicateSteps.h"

@@ -7,8 +7,8 @@
 #define flipflop_HullStart_h
 
 #include "Geometry/HullGeometry.h"
+#include "Geometry/InsertionOrder.h"
 #include "Mesh/Polyhedron.h"
-#include "Points/InsertionOrder.h"
 #include "Points/PointSource.h"
 
 #include <cstdint>

@@ -163,6 +163,15 @@ constexpr double CrossingFloor = 0x1p-800;
 constexpr double CrossingCeiling = 0x1p500;
 /// @}
 
+/// octahedral-map: a direction's share of the sum of its coordinates, against that of their terms,
+/// and against one; of terms in this range. A number of steps along a curve.
+/// @{
+constexpr double ShareError = 10 * 0x1p-53;
+constexpr double ShareFloor = 0x1p-400;
+constexpr double ShareCeiling = 0x1p400;
+constexpr double StepError = 0x1p-33;
+/// @}
+
 /// direction-map: a coordinate in the map's grid.
 constexpr double MapMargin = 0x1p-44;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Query/PreparedTriangulation.h"
 
-#include "Points/InsertionOrder.h"
+#include "Geometry/InsertionOrder.h"
 #include "PowerDiagram/TriangulationInput.h"
 #include "Support/Monitor.h"
 #include "Support/Threads.h"

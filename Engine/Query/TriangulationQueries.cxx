@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <flipflop/TriangulationQueries.h>
 
-#include "Points/InsertionOrder.h"
+#include "Geometry/InsertionOrder.h"
 #include "Query/PlaneImage.h"
 #include "Query/PlaneInterpolator.h"
 #include "Query/PreparedTriangulation.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Terrain/TerrainPoints.h"
 
-#include "Points/HilbertCurve.h"
+#include "Geometry/HilbertCurve.h"
 #include "Support/Parallel.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 /// @file
 /// The order of insertion: every point once, in levels that grow, each along a curve that stays
 /// near, wherever the points crowd.
-#include "Points/HilbertCurve.h"
-#include "Points/InsertionOrder.h"
+#include "Geometry/HilbertCurve.h"
+#include "Geometry/InsertionOrder.h"
 #include "Support/Threads.h"
 #include "Testing/Engine/Conformance/Compare.h"
 #include "Testing/Engine/Inputs/InputsWeighted.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Points/InsertionOrder.h"
+#include "Geometry/InsertionOrder.h"
 
-#include "Points/HilbertCurve.h"
+#include "Geometry/HilbertCurve.h"
 #include "Support/BucketSort.h"
 
 #include <boost/sort/spreadsort/integer_sort.hpp>

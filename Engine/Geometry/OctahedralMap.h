@@ -12,7 +12,7 @@
 #ifndef flipflop_OctahedralMap_h
 #define flipflop_OctahedralMap_h
 
-#include "Points/HilbertCurve.h"
+#include "Geometry/HilbertCurve.h"
 
 namespace flipflop
 {

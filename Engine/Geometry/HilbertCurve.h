@@ -5,6 +5,7 @@
 #ifndef flipflop_HilbertCurve_h
 #define flipflop_HilbertCurve_h
 
+#include "Predicates/ErrorBounds.h"
 #include "Support/Monitor.h"
 #include "Support/Parallel.h"
 
@@ -114,11 +115,10 @@ public:
   bool isNearBorder(const double* uv, double error, int bits) const
   {
     const double width = 1 << (16 - (bits + 1) / 2);
-    constexpr double Rounding = 1e-10; // of a number of steps
     for (int i = 0; i < 2; ++i)
     {
       const double cells = (uv[i] - this->low[i]) * this->scale / width;
-      if (!(std::fabs(cells - std::nearbyint(cells)) * width > error * this->scale + Rounding))
+      if (!(std::fabs(cells - std::nearbyint(cells)) * width > error * this->scale + StepError))
       {
         return true;
       }

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Points/OctahedralMap.h"
+#include "Geometry/OctahedralMap.h"
+
+#include "Predicates/ErrorBounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,12 +87,9 @@ double OctahedralMap::mapDirection(const double* x, double* uv) const
     std::fabs(q[2]) * factor };
   uv[0] = corner[0] + share[0];
   uv[1] = corner[1] + share[1];
-  // Differences, products and sums are each off by half a unit of the last place at most, so q by
-  // five halves of its terms; a share by twice all of that, the quotient and the sum with a corner.
-  constexpr double Unit = std::numeric_limits<double>::epsilon();
-  constexpr double Least = 0x1p-400; // smaller terms may have lost bits
-  const double error = terms > Least ? 8 * Unit * (terms * factor) + 8 * Unit
-                                     : std::numeric_limits<double>::infinity();
+  const bool isInRange = terms > ShareFloor && terms < ShareCeiling;
+  const double error = isInRange ? ShareError * (terms * factor) + ShareError
+                                 : std::numeric_limits<double>::infinity();
   // The third share is no coordinate, but its sign tells faces apart.
   return share[2] > error ? error : std::numeric_limits<double>::infinity();
 }

@@ -3,7 +3,7 @@
 /// @file
 /// The map of directions: a square for each face of the octahedron, a direction where its shares
 /// say, an error that holds, and cells that planes through the kernel point separate.
-#include "Points/OctahedralMap.h"
+#include "Geometry/OctahedralMap.h"
 #include "Testing/Engine/Inputs/InputMaking.h"
 #include "Testing/Engine/References/Exact.h"
 

@@ -13,7 +13,7 @@
 #ifndef flipflop_InsertionOrder_h
 #define flipflop_InsertionOrder_h
 
-#include "Points/OctahedralMap.h"
+#include "Geometry/OctahedralMap.h"
 #include "Points/PointSource.h"
 #include "Points/PointSubset.h"
 #include "Support/Monitor.h"
