@@ -71,6 +71,12 @@ bool meeting(
     k.round(site.x[1], found.position[1], found.denominator, result[1]);
 }
 
+/// Positive where they ascend.
+int orderOf(double a, double b)
+{
+  return (a < b) - (b < a);
+}
+
 void addLine(ExponentRange& range, const CellLine& line)
 {
   if (line.other)
@@ -107,6 +113,23 @@ void meetingOf(const PowerSite& site, const CellLine& a, const CellLine& b, doub
   position[1] += 0.0;
 }
 
+int sideOfMeeting(
+  const PowerSite& site, const CellLine& a, const CellLine& b, const CellLine& third)
+{
+  return exactSign(
+    [&](const auto& k, int& sign)
+    {
+      using Arithmetic = std::decay_t<decltype(k)>;
+      using Line = LineNumbers<Arithmetic>;
+      const Meeting<Arithmetic> found(Line(k, site, a), Line(k, site, b));
+      const Line cut(k, site, third);
+      return k.sign(
+        cut.c * found.denominator - cut.n[0] * found.position[0] - cut.n[1] * found.position[1],
+        sign);
+    },
+    [&] { return rangeOfLines(site, a, b, third); });
+}
+
 CellCutter::CellCutter(const PowerSite& site, const PowerSite& other)
   : center(site)
   , own{ &other, nullptr, nullptr }
@@ -135,25 +158,19 @@ int CellCutter::signOfRounded(const double* x) const
   return isCertain ? (sum > 0 ? 1 : -1) : 0;
 }
 
-int CellCutter::sign(const CellLine& a, const CellLine& b) const
-{
-  return exactSign(
-    [&](const auto& k, int& sign)
-    {
-      using Arithmetic = std::decay_t<decltype(k)>;
-      using Line = LineNumbers<Arithmetic>;
-      const Meeting<Arithmetic> found(Line(k, this->center, a), Line(k, this->center, b));
-      const Line cut(k, this->center, this->own);
-      return k.sign(
-        cut.c * found.denominator - cut.n[0] * found.position[0] - cut.n[1] * found.position[1],
-        sign);
-    },
-    [&] { return rangeOfLines(this->center, a, b, this->own); });
-}
-
 int CellCutter::rise(const CellLine& edge) const
 {
-  // An edge's way is its normal, turned to the left.
+  // An edge's way is its normal, turned to the left; this is its product with the line's normal.
+  const double* const x = this->center.x;
+  const int right =
+    edge.other ? orderOf(edge.other->x[1], x[1]) : orderOf(edge.from[0], edge.to[0]);
+  const int up = edge.other ? orderOf(x[0], edge.other->x[0]) : orderOf(edge.from[1], edge.to[1]);
+  const int alongX = right * orderOf(x[0], this->own.other->x[0]);
+  const int alongY = up * orderOf(x[1], this->own.other->x[1]);
+  if (alongX * alongY >= 0)
+  {
+    return alongX != 0 ? alongX : alongY;
+  }
   return exactSign(
     [&](const auto& k, int& sign)
     {

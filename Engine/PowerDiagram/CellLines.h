@@ -32,6 +32,11 @@ struct CellLine
 /// Where two lines of the cell of @p site meet, each coordinate rounded to nearest. They turn left.
 void meetingOf(const PowerSite& site, const CellLine& a, const CellLine& b, double* position);
 
+/// Of two lines of the cell of @p site, which turn left, the meeting is within a third line: 1, on
+/// it: 0, beyond: -1.
+int sideOfMeeting(
+  const PowerSite& site, const CellLine& a, const CellLine& b, const CellLine& third);
+
 /// A line of equal power that cuts the cell of a site.
 class CellCutter
 {
@@ -43,7 +48,10 @@ public:
   int signOfRounded(const double* x) const;
 
   /// The meeting of two lines, which turn left, is within the line: 1, on it: 0, beyond: -1.
-  int sign(const CellLine& a, const CellLine& b) const;
+  int sign(const CellLine& a, const CellLine& b) const
+  {
+    return sideOfMeeting(this->center, a, b, this->own);
+  }
 
   /// Does the way along an edge, counter-clockwise, come nearer to what is beyond: 1, or leave it:
   /// -1? 0: neither.

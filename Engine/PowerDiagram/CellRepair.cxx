@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Cells are rings of edges, and every edge inside the box is there once in either direction. Each
-/// step keeps that: to merge two corners, to cut a ring along a diagonal, to join two rings at an
-/// edge. Rings that pair so have the box for their sum, wherever their corners are; once each
+/// Cells are rings of edges, and every edge inside the domain is there once in either direction.
+/// Each step keeps that: to merge two corners, to cut a ring along a diagonal, to join two rings at
+/// an edge. Rings that pair so have the domain for their sum, wherever their corners are; once each
 /// is simple and turns left, they fill it without gap or overlap. Merging and joining take edges
 /// away, and cuts are counted, so the repair ends.
 #include "PowerDiagram/CellRepair.h"
@@ -11,6 +11,7 @@
 #include "Points/Vertex.h"
 #include "PowerDiagram/BoxScale.h"
 #include "PowerDiagram/ChangedRings.h"
+#include "PowerDiagram/DomainCorners.h"
 #include "PowerDiagram/PlanarRings.h"
 #include "PowerDiagram/TriangulationInput.h"
 #include "Support/Parallel.h"
@@ -43,19 +44,17 @@ constexpr std::size_t MostTried = 256;
 class CellRepair
 {
 public:
-  CellRepair(
-    RoundedCells& cells, const double* box, Monitor& monitor, const std::vector<double>* polygon)
+  CellRepair(RoundedCells& cells, const std::vector<double>& polygon, Monitor& monitor)
     : cells(cells)
-    , isCut(polygon != nullptr)
     , plane(cells.positions)
-    , box(box)
-    , scale(box)
+    , box(boundingBox(polygon))
+    , scale(box.data())
     , monitor(monitor)
     , rings(cells)
   {
-    for (std::size_t i = 0; polygon && i < polygon->size(); i += 2)
+    for (std::size_t i = 0; i < polygon.size(); i += 2)
     {
-      this->fixed.insert({ { (*polygon)[i] + 0.0, (*polygon)[i + 1] + 0.0 } }); // -0 is 0
+      this->fixed.insert({ { polygon[i] + 0.0, polygon[i + 1] + 0.0 } }); // -0 is 0
     }
   }
 
@@ -169,7 +168,7 @@ private:
     return std::max(std::fabs(p[0] - q[0]), std::fabs(p[1] - q[1]));
   }
 
-  /// The sides of the box that a corner lies on, a bit each.
+  /// The sides of the bounding box that a corner lies on, a bit each.
   int sides(Index v) const
   {
     int result = 0;
@@ -445,11 +444,6 @@ private:
     {
       this->join(receiver);
     }
-    else if (!this->isPiece(l) && !this->isCut)
-    {
-      // All that remains, and yet not the box.
-      throw badArgument(NotATriangulation, this->cells.ids[l]);
-    }
     this->rings[l].clear();
   }
 
@@ -518,9 +512,8 @@ private:
   }
 
   RoundedCells& cells;
-  const bool isCut;
   const PlanarRings plane;
-  const double* box;
+  const std::array<double, 4> box;
   const BoxScale scale;
   Monitor& monitor;
   ChangedRings rings; ///< the cells, then pieces
@@ -535,10 +528,11 @@ private:
 
 /// Those that are not convex.
 /// @throw Error BadArgument for one that turns over by more than rounding explains
-std::vector<Index> brokenCells(const RoundedCells& cells, const double* box, Monitor& monitor)
+std::vector<Index> brokenCells(
+  const RoundedCells& cells, const std::vector<double>& polygon, Monitor& monitor)
 {
   const PlanarRings plane(cells.positions);
-  const BoxScale scale(box);
+  const BoxScale scale(boundingBox(polygon).data());
   constexpr std::size_t CellsPerTask = 1 << 12;
   std::vector<std::vector<Index>> found(chunkCount(cells.ids.size(), CellsPerTask));
   eachCheckedChunk(cells.ids.size(), CellsPerTask,
@@ -574,18 +568,17 @@ std::vector<Index> brokenCells(const RoundedCells& cells, const double* box, Mon
 
 }
 
-bool areConvex(const RoundedCells& cells, const double* box, Monitor& monitor)
+bool areConvex(const RoundedCells& cells, const std::vector<double>& polygon, Monitor& monitor)
 {
-  return brokenCells(cells, box, monitor).empty();
+  return brokenCells(cells, polygon, monitor).empty();
 }
 
-void repairCells(
-  RoundedCells& cells, const double* box, Monitor& monitor, const std::vector<double>* polygon)
+void repairCells(RoundedCells& cells, const std::vector<double>& polygon, Monitor& monitor)
 {
-  const std::vector<Index> broken = brokenCells(cells, box, monitor);
+  const std::vector<Index> broken = brokenCells(cells, polygon, monitor);
   if (!broken.empty())
   {
-    CellRepair(cells, box, monitor, polygon).run(broken);
+    CellRepair(cells, polygon, monitor).run(broken);
   }
 }
 

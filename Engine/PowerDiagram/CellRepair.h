@@ -5,10 +5,10 @@
 /// an edge.
 ///
 /// Corners a few units apart are merged, tips are cut off, and what has no inside goes to a
-/// neighbour. Each step keeps the pairing of edges: every edge inside the box is there once in
-/// either direction. Cells that pair so sum to the box wherever their corners are. So once each is
-/// simple and counter-clockwise (PlanarRings.h, exact signs), they fill the box without gap or
-/// overlap. Where all rounded cells are convex, nothing is changed.
+/// neighbour. Each step keeps the pairing of edges: every edge inside the domain is there once in
+/// either direction. Cells that pair so sum to the domain wherever their corners are. So once each
+/// is simple and counter-clockwise (PlanarRings.h, exact signs), they fill the domain without gap
+/// or overlap. Where all rounded cells are convex, nothing is changed.
 #ifndef flipflop_CellRepair_h
 #define flipflop_CellRepair_h
 
@@ -20,8 +20,8 @@
 namespace flipflop
 {
 
-/// Polygons that fill a box edge to edge, but for the rounding of their corners: every edge is
-/// there once in either direction, or lies on the box.
+/// Polygons that fill a domain edge to edge, but for the rounding of their corners: every edge is
+/// there once in either direction, or lies on its border.
 struct RoundedCells
 {
   std::vector<double> positions;      ///< two for each corner, no position twice
@@ -32,20 +32,19 @@ struct RoundedCells
 
 /// Is every cell convex, so that nothing is to be mended?
 /// @param cells    as rounded; those around them may be missing
-/// @param box      as for repairCells
-bool areConvex(const RoundedCells& cells, const double* box, Monitor& monitor);
+/// @param polygon  as for repairCells
+bool areConvex(const RoundedCells& cells, const std::vector<double>& polygon, Monitor& monitor);
 
-/// Make every cell a simple polygon, counter-clockwise, so that the cells fill the box exactly; for
-/// the means see PowerDiagram. Where every cell is convex already, nothing changes; else corners
-/// are renumbered, in order of first use.
+/// Make every cell a simple polygon, counter-clockwise, so that the cells fill the polygon; for the
+/// means see PowerDiagram. Where every cell is convex already, nothing changes; else corners are
+/// renumbered, in order of first use.
 ///
 /// @param cells    as rounded, also those without an inside
-/// @param box      x least, x greatest, y least, y greatest; around the polygon
-/// @param monitor  is polled
-/// @param polygon  what the cells fill, if not the box: its corners stay. Its border is rounded: a
+/// @param polygon  what the cells fill (domainCorners()): its corners stay. Its sides are rounded:
+/// a
 ///                 cell without an inside that no other can take is omitted
-void repairCells(RoundedCells& cells, const double* box, Monitor& monitor,
-  const std::vector<double>* polygon = nullptr);
+/// @param monitor  is polled
+void repairCells(RoundedCells& cells, const std::vector<double>& polygon, Monitor& monitor);
 
 }
 

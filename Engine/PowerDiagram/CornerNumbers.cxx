@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Several facets may have their centers at one position, and several cells a corner there that the
-/// box made. One of these corners stands for all. Which one depends on the threads.
+/// Several facets may have their centers at one position, and several cells a corner there that a
+/// cut made. One of these corners stands for all. Which one depends on the threads.
 /// But their first use is known once all threads have passed, and its order gives the number.
 #include "PowerDiagram/CornerNumbers.h"
 
@@ -88,8 +88,7 @@ std::vector<std::size_t> beginsOf(const std::vector<CellChunk>& chunks, const Si
 
 void CellChunk::add(std::int64_t id, CellPolygon& cell)
 {
-  const auto same = [](const CellCorner& a, const CellCorner& b)
-  { return a.x[0] == b.x[0] && a.x[1] == b.x[1]; };
+  const auto same = [](const CellCorner& a, const CellCorner& b) { return a.x == b.x; };
   cell.erase(std::unique(cell.begin(), cell.end(), same), cell.end());
   while (cell.size() > 1 && same(cell.front(), cell.back()))
   {

@@ -6,7 +6,6 @@
 #ifndef flipflop_CornerNumbers_h
 #define flipflop_CornerNumbers_h
 
-#include "PowerDiagram/CellClipper.h"
 #include "PowerDiagram/CellRepair.h"
 #include "Support/Monitor.h"
 #include <flipflop/Buffer.h>
@@ -20,6 +19,13 @@ namespace flipflop
 
 using Position = std::array<double, 2>;
 
+struct CellCorner
+{
+  Position x;
+  std::uint32_t facet; ///< whose center it is, or NoIndex
+};
+using CellPolygon = std::vector<CellCorner>;
+
 /// The cells of some sites that follow each other.
 class CellChunk
 {
@@ -30,13 +36,13 @@ public:
   {
   }
 
-  /// @p cell is in the box. What rounding made equal is one; a cell of two corners is an edge that
-  /// its neighbours share.
+  /// @p cell is in the domain. What rounding made equal is one; a cell of two corners is an edge
+  /// that its neighbours share.
   void add(std::int64_t id, CellPolygon& cell);
 
   std::size_t facetCount;
   std::vector<std::uint32_t> corners; ///< of every cell: a facet, or facetCount and an index in cut
-  std::vector<Position> cut;          ///< corners that the box made
+  std::vector<Position> cut;          ///< other corners
   std::vector<std::uint32_t> sizes;   ///< of cells
   std::vector<std::int64_t> ids;      ///< of their sites
 };

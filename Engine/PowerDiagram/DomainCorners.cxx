@@ -23,14 +23,7 @@ namespace
   throw Error(ErrorCode::NotConvex, static_cast<std::int64_t>(corner));
 }
 
-std::vector<double> boxCorners(const double* box)
-{
-  requireBox(box);
-  return { box[0], box[2], box[1], box[2], box[1], box[3], box[0], box[3] };
-}
-
-}
-
+/// @throw Error BadArgument for one that is null, empty or not finite
 void requireBox(const double* box)
 {
   if (!box)
@@ -48,16 +41,24 @@ void requireBox(const double* box)
   }
 }
 
+}
+
+std::vector<double> boxCorners(const double* box)
+{
+  return { box[0], box[2], box[1], box[2], box[1], box[3], box[0], box[3] };
+}
+
 std::vector<double> domainCorners(const ConvexDomain& domain)
 {
+  if (domain.corners == 0)
+  {
+    requireBox(domain.data);
+    return boxCorners(domain.data);
+  }
   if (!domain.data || domain.corners < 0 || domain.corners >= NoIndex)
   {
     throw badArgument("a domain must have the x and y of each corner, and a count of corners from "
                       "3 to 4294967294; or the four bounds of a box, and the count 0");
-  }
-  if (domain.corners == 0)
-  {
-    return boxCorners(domain.data);
   }
   const auto count = static_cast<std::size_t>(domain.corners);
   const std::vector<double> given(domain.data, domain.data + 2 * count);

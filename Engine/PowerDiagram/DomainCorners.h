@@ -18,9 +18,8 @@ namespace flipflop
 /// @throw Error BadArgument (no data; a box that is empty or not finite), NotConvex
 std::vector<double> domainCorners(const ConvexDomain& domain);
 
-/// @param box four numbers
-/// @throw Error BadArgument for one that is null, empty or not finite
-void requireBox(const double* box);
+/// @param box x least, x greatest, y least, y greatest
+std::vector<double> boxCorners(const double* box);
 
 /// x least, x greatest, y least, y greatest.
 std::array<double, 4> boundingBox(const std::vector<double>& corners);

@@ -31,29 +31,6 @@ bool center(
     k.round(a.x[1], q * u[0] - p * v[0], denominator, result[1]);
 }
 
-template <class Arithmetic>
-bool middle(const Arithmetic& k, const PowerSite& a, const PowerSite& b, double* result)
-{
-  using Number = typename Arithmetic::Number;
-  const Number u[2] = { k.difference(b.x[0], a.x[0]), k.difference(b.x[1], a.x[1]) };
-  const Number p = level(k, u, a, b);
-  const Number half = u[0] * u[0] + u[1] * u[1];
-  const Number denominator = half + half;
-  return k.round(a.x[0], p * u[0], denominator, result[0]) &&
-    k.round(a.x[1], p * u[1], denominator, result[1]);
-}
-
-template <class Arithmetic>
-bool crossing(
-  const Arithmetic& k, const PowerSite& a, const PowerSite& b, int axis, double at, double& result)
-{
-  using Number = typename Arithmetic::Number;
-  const Number u[2] = { k.difference(b.x[0], a.x[0]), k.difference(b.x[1], a.x[1]) };
-  const Number along = u[axis] * k.difference(at, a.x[axis]);
-  const Number numerator = level(k, u, a, b) - (along + along);
-  return k.round(a.x[1 - axis], numerator, u[1 - axis] + u[1 - axis], result);
-}
-
 /// Nearly all centers come of this.
 FF_FLATTEN bool quickCenter(
   const PowerSite& a, const PowerSite& b, const PowerSite& c, double* result)
@@ -73,31 +50,6 @@ void powerCenter(const PowerSite& a, const PowerSite& b, const PowerSite& c, dou
     addSite(range, c);
     decide(range, [&](const auto& k) { return center(k, a, b, c, result); });
   }
-}
-
-void powerMiddle(const PowerSite& a, const PowerSite& b, double* result)
-{
-  if (!middle(BoundedArithmetic<>(), a, b, result))
-  {
-    ExponentRange range;
-    addSite(range, a);
-    addSite(range, b);
-    decide(range, [&](const auto& k) { return middle(k, a, b, result); });
-  }
-}
-
-double powerCrossing(const PowerSite& a, const PowerSite& b, int axis, double at)
-{
-  double result = 0.0;
-  if (!crossing(BoundedArithmetic<>(), a, b, axis, at, result))
-  {
-    ExponentRange range;
-    addSite(range, a);
-    addSite(range, b);
-    range.add(at);
-    decide(range, [&](const auto& k) { return crossing(k, a, b, axis, at, result); });
-  }
-  return result;
 }
 
 }

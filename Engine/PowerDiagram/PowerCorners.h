@@ -24,15 +24,6 @@ struct PowerSite
 /// @throw Error BadArgument when they do not
 void powerCenter(const PowerSite& a, const PowerSite& b, const PowerSite& c, double* center);
 
-/// The point of equal power to two sites on the line through them.
-/// @throw Error BadArgument when they have one position
-void powerMiddle(const PowerSite& a, const PowerSite& b, double* middle);
-
-/// Where the line of equal power to two sites has the value @p at on axis @p axis: the other
-/// coordinate. The same bits for (a, b) as for (b, a).
-/// @throw Error BadArgument when the line is parallel to the other axis
-double powerCrossing(const PowerSite& a, const PowerSite& b, int axis, double at);
-
 }
 
 #endif

@@ -60,15 +60,23 @@ public:
     }
   }
 
+  /// Below dimension 2 @p star stays as it is.
+  /// @throw Error BadArgument for facets that are not one fan
+  void link(std::uint32_t site, Star& star) const
+  {
+    if (this->stars)
+    {
+      linkFacets(*this->stars, this->t, site, star);
+    }
+  }
+
   /// Counter-clockwise; a ring of facets starts at the first and, at the border, ends at the last.
-  /// @param star  becomes that of the site's facets, where there are any
-  /// @throw Error BadArgument for facets that are no ring
-  void find(std::uint32_t site, Star& star, std::vector<std::uint32_t>& found) const
+  /// @param star as linked
+  void list(std::uint32_t site, const Star& star, std::vector<std::uint32_t>& found) const
   {
     found.clear();
     if (this->stars)
     {
-      linkFacets(*this->stars, this->t, site, star);
       for (const std::uint32_t h : star.ring)
       {
         found.push_back(this->stars->destination(h));

@@ -3,6 +3,7 @@
 #include "Transport/CellMoments.h"
 
 #include "Points/Vertex.h"
+#include "PowerDiagram/CellRing.h"
 #include "PowerDiagram/DomainCorners.h"
 #include "PowerDiagram/SiteNeighbours.h"
 #include "Support/Parallel.h"
@@ -41,124 +42,88 @@ struct ScaledWay
   }
 };
 
-/// A convex polygon that half-planes cut; positions are relative to the site.
-class ClippedCell
+/// A half-plane in doubles, for CellRing::cut(): what has a product with a normal of at most so
+/// much.
+struct RoundedCutter
 {
-public:
-  struct Corner
-  {
-    double x[2];
-    Index line; ///< of the edge from here: the neighbour that cut it, or NoIndex
-  };
+  const double* normal;
+  double most;
 
-  void begin(const std::vector<double>& polygon, const double* site)
+  double beyond(const RingCorner& corner) const
   {
-    this->corners.clear();
-    for (std::size_t i = 0; i < polygon.size(); i += 2)
-    {
-      this->corners.push_back({ { polygon[i] - site[0], polygon[i + 1] - site[1] }, NoIndex });
-    }
+    return corner.x[0] * this->normal[0] + corner.x[1] * this->normal[1] - this->most;
   }
 
-  /// Leaves what has a product with @p normal of at most @p most.
-  void cut(const double* normal, double most, Index line)
+  int side(const RingCorner& /*before*/, const RingCorner& corner) const
   {
-    const std::size_t count = this->corners.size();
-    this->beyond.resize(count);
-    bool isCut = false;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const double* const x = this->corners[i].x;
-      this->beyond[i] = x[0] * normal[0] + x[1] * normal[1] - most;
-      isCut = isCut || this->beyond[i] > 0;
-    }
-    if (!isCut)
-    {
-      return;
-    }
-    this->next.clear();
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const std::size_t j = i + 1 < count ? i + 1 : 0;
-      const Corner& a = this->corners[i];
-      const double atA = this->beyond[i];
-      const double atB = this->beyond[j];
-      if (atA <= 0)
-      {
-        this->next.push_back(a);
-      }
-      if ((atA <= 0) != (atB <= 0))
-      {
-        const double share = atA / (atA - atB);
-        const double* const b = this->corners[j].x;
-        this->next.push_back(
-          { { a.x[0] + share * (b[0] - a.x[0]), a.x[1] + share * (b[1] - a.x[1]) },
-            atA <= 0 ? line : a.line });
-      }
-    }
-    this->corners.swap(this->next);
+    const double far = this->beyond(corner);
+    return (far < 0) - (far > 0);
   }
 
-  /// @param centroid is relative to the site
-  /// @return the area
-  double measure(double* centroid) const
+  int rise(const RingCorner& from, const RingCorner& to) const
   {
-    double whole = 0;
-    for (std::size_t i = 1; i + 1 < this->corners.size(); ++i)
-    {
-      whole += this->areaOf(i);
-    }
-    if (!(whole > 0))
-    {
-      return 0;
-    }
-    // Of shares: a product of three lengths may be out of range where areas are not; and of
-    // quarters, for the sum of three lengths may be, too.
-    double mean[2] = { 0, 0 };
-    for (std::size_t i = 1; i + 1 < this->corners.size(); ++i)
-    {
-      const double share = this->areaOf(i) / whole;
-      for (int k = 0; k < 2; ++k)
-      {
-        mean[k] += share * (0.25 * this->fromFirst(i, k) + 0.25 * this->fromFirst(i + 1, k));
-      }
-    }
+    const double a = this->beyond(from);
+    const double b = this->beyond(to);
+    return (b > a) - (b < a);
+  }
+
+  void meet(const RingCorner& from, const RingCorner& to, bool /*leaves*/, double* x) const
+  {
+    const double atFrom = this->beyond(from);
+    const double share = atFrom / (atFrom - this->beyond(to));
     for (int k = 0; k < 2; ++k)
     {
-      centroid[k] = this->corners[0].x[k] + mean[k] / 0.75;
-    }
-    return whole;
-  }
-
-  /// use(line, length) for each edge.
-  template <class Use>
-  void eachEdge(const Use& use) const
-  {
-    for (std::size_t i = 0; i < this->corners.size(); ++i)
-    {
-      const Corner& a = this->corners[i];
-      const Corner& b = this->corners[i + 1 < this->corners.size() ? i + 1 : 0];
-      use(a.line, distanceBetween(a.x, b.x));
+      x[k] = from.x[k] + share * (to.x[k] - from.x[k]);
     }
   }
-
-private:
-  double fromFirst(std::size_t i, int k) const
-  {
-    return this->corners[i].x[k] - this->corners[0].x[k];
-  }
-
-  /// Of the fan's triangle at corner @p i.
-  double areaOf(std::size_t i) const
-  {
-    return 0.5 * this->fromFirst(i, 0) * this->fromFirst(i + 1, 1) -
-      0.5 * this->fromFirst(i, 1) * this->fromFirst(i + 1, 0);
-  }
-
-  std::vector<Corner> corners;
-  std::vector<Corner> next;
-  std::vector<double> beyond;
 };
+
+/// Of a cell.
+struct Moments
+{
+  double area = 0;
+  double centroid[2] = { 0, 0 };
+};
+
+/// Measures a cell as a fan from its first corner.
+Moments momentsOf(const CellRing& ring)
+{
+  Moments moments;
+  if (ring.isEmpty())
+  {
+    return moments;
+  }
+  const CellRing::Index first = ring.first();
+  const auto offset = [&](CellRing::Index i, int k) { return ring[i].x[k] - ring[first].x[k]; };
+  const auto areaFrom = [&](CellRing::Index i)
+  {
+    return 0.5 * offset(i, 0) * offset(ring[i].after, 1) -
+      0.5 * offset(i, 1) * offset(ring[i].after, 0);
+  };
+  ring.eachFrom(first, [&](CellRing::Index i) { moments.area += areaFrom(i); });
+  if (!(moments.area > 0))
+  {
+    moments.area = 0;
+    return moments;
+  }
+  // Of shares: a product of three lengths may be out of range where areas are not; and of
+  // quarters, for the sum of three lengths may be, too.
+  double mean[2] = { 0, 0 };
+  ring.eachFrom(first,
+    [&](CellRing::Index i)
+    {
+      const double share = areaFrom(i) / moments.area;
+      for (int k = 0; k < 2; ++k)
+      {
+        mean[k] += share * (0.25 * offset(i, k) + 0.25 * offset(ring[i].after, k));
+      }
+    });
+  for (int k = 0; k < 2; ++k)
+  {
+    moments.centroid[k] = ring[first].x[k] + mean[k] / 0.75;
+  }
+  return moments;
+}
 
 }
 
@@ -187,32 +152,36 @@ void measureCells(const std::vector<double>& sites, const double* weights,
         {
           Star star;
           std::vector<Index> neighbours;
-          ClippedCell cell;
+          CellRing cell;
           for (std::size_t i = begin; i < end; ++i)
           {
             const auto id = static_cast<std::size_t>(ids[i]);
             const double* const site = sites.data() + 2 * id;
-            lists.find(static_cast<Index>(i), star, neighbours);
-            cell.begin(polygon, site);
-            for (const Index j : neighbours)
+            lists.link(static_cast<Index>(i), star);
+            lists.list(static_cast<Index>(i), star, neighbours);
+            cell.begin(polygon, site[0], site[1]);
+            for (std::size_t n = 0; n < neighbours.size() && !cell.isEmpty(); ++n)
             {
-              const auto other = static_cast<std::size_t>(ids[j]);
+              const auto other = static_cast<std::size_t>(ids[neighbours[n]]);
               const ScaledWay way(site, &sites[2 * other]);
               const double lead = weights ? weights[id] - weights[other] : 0.0;
               const double most =
                 std::ldexp(way.x[0] * way.x[0] + way.x[1] * way.x[1], way.exponent) +
                 std::ldexp(lead, -way.exponent);
-              cell.cut(way.x, 0.5 * most, j);
+              cell.cut(RoundedCutter{ way.x, 0.5 * most }, static_cast<std::int64_t>(n));
             }
-            double centroid[2] = { 0, 0 };
-            moments.areas[id] = cell.measure(centroid);
-            moments.centroids[2 * id] = site[0] + centroid[0];
-            moments.centroids[2 * id + 1] = site[1] + centroid[1];
+            const Moments measured = momentsOf(cell);
+            moments.areas[id] = measured.area;
+            moments.centroids[2 * id] = site[0] + measured.centroid[0];
+            moments.centroids[2 * id + 1] = site[1] + measured.centroid[1];
             cell.eachEdge(
-              [&](Index line, double length)
+              [&](const RingCorner& from, const RingCorner& to)
               {
                 // Both cells have the edge; that of the lower site adds it.
-                if (line != NoIndex && line > i && length > 0)
+                const Index line = from.line < 0 ? NoIndex : neighbours[from.line];
+                const double length =
+                  line == NoIndex || line < i ? 0 : distanceBetween(from.x, to.x);
+                if (length > 0)
                 {
                   const auto other = static_cast<std::size_t>(ids[line]);
                   moments.links[run].push_back({ static_cast<Index>(id), static_cast<Index>(other),
@@ -231,9 +200,10 @@ MeasuredDomain::MeasuredDomain(const ConvexDomain& given)
   , centroid{}
 {
   const double* const first = this->polygon.data();
-  ClippedCell whole;
-  whole.begin(this->polygon, first);
-  this->area = whole.measure(this->centroid.data());
+  CellRing whole;
+  whole.begin(this->polygon, first[0], first[1]);
+  const Moments measured = momentsOf(whole);
+  this->area = measured.area;
   const std::array<double, 4> box = boundingBox(this->polygon);
   if (!std::isfinite(box[1] - box[0]) || !std::isfinite(box[3] - box[2]))
   {
@@ -243,8 +213,7 @@ MeasuredDomain::MeasuredDomain(const ConvexDomain& given)
   {
     throw badArgument("the domain's area must be a normal double, from 2.3e-308 to 1.7e308");
   }
-  this->centroid[0] += first[0];
-  this->centroid[1] += first[1];
+  this->centroid = { first[0] + measured.centroid[0], first[1] + measured.centroid[1] };
 }
 
 }

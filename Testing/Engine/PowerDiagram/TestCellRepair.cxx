@@ -22,7 +22,7 @@ namespace
 using Positions = std::vector<std::array<double, 2>>;
 using Cells = std::map<std::int64_t, Positions>; ///< corners by id
 
-constexpr double Box[] = { 0, 8, 0, 8 };
+const std::vector<double> Box = { 0, 0, 8, 0, 8, 8, 0, 8 };
 constexpr double Unit = 0x1p-50; // in the last place of numbers from 4 to 8
 
 /// @param more positions behind the corners of the box
@@ -44,11 +44,11 @@ RoundedCells cellsOf(const Positions& more, const std::vector<Ring>& rings)
   return cells;
 }
 
-Cells repaired(RoundedCells cells, const std::vector<double>* polygon = nullptr)
+Cells repaired(RoundedCells cells, const std::vector<double>& polygon = Box)
 {
   Options options;
   Monitor monitor(options);
-  repairCells(cells, Box, monitor, polygon);
+  repairCells(cells, polygon, monitor);
   Cells result;
   for (std::size_t c = 0; c < cells.ids.size(); ++c)
   {
@@ -122,7 +122,7 @@ TEST(CellRepair, CornersOfAPolygonDoNotMove)
     cellsOf({ { 7, 7 }, { 7 - Unit, 7 - 2 * Unit } }, { { 0, 1, 4, 5 }, { 4, 3, 0, 5 } });
   const Cells expected = { { 0, { { 0, 0 }, { 8, 0 }, { 7, 7 } } },
     { 1, { { 7, 7 }, { 0, 8 }, { 0, 0 } } } };
-  EXPECT_EQ(repaired(cells, &polygon), expected);
+  EXPECT_EQ(repaired(cells, polygon), expected);
 }
 
 TEST(CellRepair, WhatRoundingCannotDoIsRefused)

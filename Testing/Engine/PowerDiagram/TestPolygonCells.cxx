@@ -300,6 +300,25 @@ TEST(PolygonCells, ManySidesAndManyNeighbours)
   }
 }
 
+TEST(PolygonCells, ABoxIsAPolygonOfFourCorners)
+{
+  const Numbers box = { 0.2, 0.7, 0.1, 0.9 };
+  const Numbers corners = { 0.2, 0.1, 0.7, 0.1, 0.7, 0.9, 0.2, 0.9 };
+  for (unsigned seed = 1; seed <= 30; ++seed)
+  {
+    const std::size_t count = 1 + seed * seed;
+    const Numbers sites = randomNumbers(2 * count, 0, 1, seed);
+    const Numbers weights = randomNumbers(seed % 2 ? count : 0, 0, 0.02, seed);
+    EXPECT_EQ(bitDifference(cellsOf(sites, numbersView(weights), ConvexDomain(box.data())),
+                cellsOf(sites, numbersView(weights), domainOf(corners))),
+      "");
+    if (count < 50)
+    {
+      expectExact(sites, weights, corners);
+    }
+  }
+}
+
 TEST(PolygonCells, StraightCornersAreDropped)
 {
   const Numbers sites{ 0.2, 0.3, 0.7, 0.6, 0.4, 0.9 };
