@@ -94,9 +94,13 @@ public:
   {
     this->choosePoints();
     std::vector<Vector3> directions = this->facetNormals();
-    const std::vector<Vector3> edges = this->edgeDirections();
-    directions.insert(directions.end(), edges.begin(), edges.end());
-    this->addSpread(directions);
+    std::vector<Vector3> edges;
+    if (directions.size() < FewNormals)
+    {
+      edges = this->edgeDirections();
+      directions.insert(directions.end(), edges.begin(), edges.end());
+      spread(100, directions);
+    }
     std::vector<Candidate> found(directions.size());
     this->monitor.stage(0.1, 0.6, static_cast<std::int64_t>(directions.size()));
     eachChunk(directions.size(), 16,
@@ -131,6 +135,10 @@ public:
 private:
   static constexpr std::size_t ManyPoints = 2000;
   static constexpr std::size_t ManyDirections = 1000;
+  /// Where normals are fewer, edges and directions all around find smaller boxes: by 0.03 % on
+  /// average, by 2 % at most. Where they are more, nothing is found but the time is doubled.
+  static constexpr std::size_t FewNormals = 128;
+  /// Up to so many, pairs take some 10 ms.
   static constexpr std::size_t FewEdges = 64;
 
   using Points = std::vector<Vector3>;
@@ -190,14 +198,6 @@ private:
     }
   }
 
-  void addSpread(std::vector<Vector3>& directions) const
-  {
-    directions.push_back({ { 1, 0, 0 } });
-    directions.push_back({ { 0, 1, 0 } });
-    directions.push_back({ { 0, 0, 1 } });
-    spread(100, directions);
-  }
-
   std::vector<Vector3> facetNormals() const
   {
     std::vector<Vector3> normals;
@@ -216,14 +216,12 @@ private:
   std::vector<Vector3> edgeDirections() const
   {
     std::vector<Vector3> edges;
-    const Buffer<Triangle>& triangles = this->hull.polyhedron().triangles;
-    const std::size_t step = chunkCount(triangles.size(), ManyDirections);
-    for (std::size_t t = 0; t < triangles.size(); t += step)
+    for (const Triangle& triangle : this->hull.polyhedron().triangles)
     {
       for (int e = 0; e < 3; ++e)
       {
-        const std::uint32_t a = triangles[t].v[e];
-        const std::uint32_t b = triangles[t].v[nextCorner(e)];
+        const std::uint32_t a = triangle.v[e];
+        const std::uint32_t b = triangle.v[nextCorner(e)];
         Vector3 edge = subtract(this->frame.at(b), this->frame.at(a));
         if (a < b && normalise(edge))
         {
@@ -299,29 +297,31 @@ private:
   /// Boxes with two sides, next to each other, along an edge each: turned about the first edge.
   void tryPairs(const std::vector<Vector3>& edges, std::vector<Candidate>& found) const
   {
-    if (edges.size() > FewEdges || this->points.size() > ManyPoints)
+    if (edges.size() < 2 || edges.size() > FewEdges)
     {
       return;
     }
     const std::size_t first = found.size();
-    found.resize(first + edges.size());
-    this->monitor.stage(0.6, 0.8, static_cast<std::int64_t>(edges.size()));
-    eachTask(edges.size(),
+    const std::size_t count = edges.size() - 1;
+    found.resize(first + count, straight(this->points));
+    this->monitor.stage(0.6, 0.8, static_cast<std::int64_t>(count));
+    eachTask(count,
       [&](std::size_t i)
       {
-        for (std::size_t j = 0; j < edges.size(); ++j)
+        Candidate& best = found[first + i];
+        for (std::size_t j = i + 1; j < edges.size(); ++j)
         {
-          const Candidate candidate = this->aboutPair(edges[i], edges[j]);
-          found[first + i] =
-            candidate.volume < found[first + i].volume ? candidate : found[first + i];
+          const Candidate candidate = this->aboutPair(edges[i], edges[j], 1.1 * best.volume);
+          best = candidate.volume < best.volume ? candidate : best;
         }
         this->monitor.advance(1);
       });
   }
 
-  Candidate aboutPair(const Vector3& along, const Vector3& other) const
+  /// @param promising the volume from which on it is not worth a closer look
+  Candidate aboutPair(const Vector3& along, const Vector3& other, double promising) const
   {
-    constexpr int Turns = 48;
+    constexpr int Turns = 24;
     Vector3 u, v;
     complete(along, u, v);
     // A way around half the circle, from 0 to 2, by fractions: a quarter takes 1. (The last bits of
@@ -357,7 +357,7 @@ private:
     }
     // Closer and closer around the best.
     double step = 2.0 / Turns;
-    for (int i = 0; i < 50; ++i)
+    for (int i = 0; i < 50 && best.volume < promising; ++i)
     {
       const Candidate less = at(where - step);
       const Candidate more = at(where + step);

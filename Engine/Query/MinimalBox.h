@@ -6,8 +6,8 @@
 /// A least box has two sides next to each other that each run along an edge (J. O'Rourke, 1985). On
 /// small hulls all pairs of edges are tried, and the box turned about each. Besides, boxes with one
 /// axis given are found exactly, by the least rectangle around the projection: along facets'
-/// normals, edges, and directions in between. The best of these are improved by turns: each axis of
-/// the box is kept in turn, and the two others are chosen again.
+/// normals and, where these are few, edges and directions all around. The best of these are
+/// improved by turns: each axis of the box is kept in turn, and the two others are chosen again.
 #ifndef flipflop_MinimalBox_h
 #define flipflop_MinimalBox_h
 
