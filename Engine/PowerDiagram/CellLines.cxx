@@ -27,23 +27,22 @@ struct LineNumbers
   {
   }
 
-private:
   LineNumbers(const Arithmetic& k, const PowerSite& site, const PowerSite& other)
     : n{ k.difference(other.x[0], site.x[0]), k.difference(other.x[1], site.x[1]) }
     , c(n[0] * n[0] + n[1] * n[1] - k.difference(other.weight, site.weight, 2))
   {
-    this->n[0] = this->n[0] + this->n[0];
-    this->n[1] = this->n[1] + this->n[1];
   }
 
+private:
   LineNumbers(const Arithmetic& k, const PowerSite& site, const double* from, const double* to)
     : n{ k.difference(to[1], from[1]), k.difference(from[0], to[0]) }
     , c(n[0] * k.difference(from[0], site.x[0]) + n[1] * k.difference(from[1], site.x[1]))
   {
+    this->c = this->c + this->c;
   }
 };
 
-/// Two lines' meeting: the position times the denominator, which is positive.
+/// Two lines' meeting: twice the position, times the denominator, which is positive.
 template <class Arithmetic>
 struct Meeting
 {
@@ -60,21 +59,28 @@ struct Meeting
   }
 };
 
-template <class Arithmetic>
+template <class Arithmetic, class LineTo>
 bool meeting(
-  const Arithmetic& k, const PowerSite& site, const CellLine& a, const CellLine& b, double* result)
+  const Arithmetic& k, const PowerSite& site, const LineTo& a, const LineTo& b, double* result)
 {
   using Line = LineNumbers<Arithmetic>;
   const Meeting<Arithmetic> found(Line(k, site, a), Line(k, site, b));
-  return k.positive(found.denominator) &&
-    k.round(site.x[0], found.position[0], found.denominator, result[0]) &&
-    k.round(site.x[1], found.position[1], found.denominator, result[1]);
+  const auto twice = found.denominator + found.denominator;
+  return k.positive(twice) && k.round(site.x[0], found.position[0], twice, result[0]) &&
+    k.round(site.x[1], found.position[1], twice, result[1]);
 }
 
 /// Positive where they ascend.
 int orderOf(double a, double b)
 {
   return (a < b) - (b < a);
+}
+
+/// Nearly all centers come of this.
+FF_FLATTEN bool quickCenter(
+  const PowerSite& site, const PowerSite& b, const PowerSite& c, double* position)
+{
+  return meeting(BoundedArithmetic<>(), site, b, c, position);
 }
 
 void addLine(ExponentRange& range, const CellLine& line)
@@ -108,6 +114,16 @@ void meetingOf(const PowerSite& site, const CellLine& a, const CellLine& b, doub
   {
     decide(
       rangeOfLines(site, a, b), [&](const auto& k) { return meeting(k, site, a, b, position); });
+  }
+  position[0] += 0.0; // -0 is 0
+  position[1] += 0.0;
+}
+
+void centerOf(const PowerSite& site, const PowerSite& b, const PowerSite& c, double* position)
+{
+  if (!quickCenter(site, b, c, position))
+  {
+    meetingOf(site, { &b, nullptr, nullptr }, { &c, nullptr, nullptr }, position);
   }
   position[0] += 0.0; // -0 is 0
   position[1] += 0.0;

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The lines that bound a power cell in a polygon, and on which side of one a corner of two others
-/// is: exact at any scale.
+/// The lines that bound a power cell, where two of them meet, and on which side of a third that is:
+/// exact at any scale.
 ///
-/// A line is n.x = c for positions x relative to the cell's site, and the cell has n.x <= c. Two
-/// lines that turn left, D = n1 x n2 > 0, meet at (c1 n2y - c2 n1y, c2 n1x - c1 n2x) / D. That
+/// A line is 2 n.x = c for positions x relative to the cell's site, and the cell has 2 n.x <= c.
+/// Two lines that turn left, D = n1 x n2 > 0, meet at (c1 n2y - c2 n1y, c2 n1x - c1 n2x) / 2D. That
 /// position is within a third line where
 ///
 ///     | n1x n1y c1 |
@@ -13,10 +13,15 @@
 ///     | n3x n3y c3 |
 ///
 /// is positive.
+///
+/// A coordinate is first taken in double-double with a running error bound; where that leaves two
+/// doubles to choose from (halfway between them, often on grids, or at zero), it is taken in
+/// integers. So equal corners get equal bits whichever lines they are taken from, and rounding,
+/// being monotone, keeps the order of corners along each axis.
 #ifndef flipflop_CellLines_h
 #define flipflop_CellLines_h
 
-#include "PowerDiagram/PowerCorners.h"
+#include "PowerDiagram/PowerSite.h"
 
 namespace flipflop
 {
@@ -29,8 +34,13 @@ struct CellLine
   const double* to;
 };
 
-/// Where two lines of the cell of @p site meet, each coordinate rounded to nearest. They turn left.
+/// Where two lines of the cell of @p site meet, each coordinate rounded to nearest; one beyond the
+/// doubles is infinite with its sign.
+/// @throw Error BadArgument where they do not turn left
 void meetingOf(const PowerSite& site, const CellLine& a, const CellLine& b, double* position);
+
+/// The same for two lines of equal power: the point of equal power to three sites, which turn left.
+void centerOf(const PowerSite& site, const PowerSite& b, const PowerSite& c, double* position);
 
 /// Of two lines of the cell of @p site, which turn left, the meeting is within a third line: 1, on
 /// it: 0, beyond: -1.

@@ -79,16 +79,22 @@ public:
   {
   }
 
+  /// Rounding keeps the order along each axis, but may take a position to a side.
+  bool isInBox(const Position& x) const
+  {
+    const std::array<double, 4>& b = this->bounds;
+    return this->isBox && x[0] > b[0] && x[0] < b[1] && x[1] > b[2] && x[1] < b[3];
+  }
+
   /// @param x        the center, each coordinate rounded to nearest
   /// @param triangle of the facet
   std::uint8_t whereIs(const Position& x, const std::array<const PowerSite*, 3>& triangle) const
   {
-    const std::array<double, 4>& b = this->bounds;
-    // Rounding keeps the order along each axis, but may take the center to a side.
-    if (this->isBox && x[0] > b[0] && x[0] < b[1] && x[1] > b[2] && x[1] < b[3])
+    if (this->isInBox(x))
     {
       return Inside;
     }
+    const std::array<double, 4>& b = this->bounds;
     int sides =
       (x[0] < b[0] ? 1 : 0) | (x[0] > b[1] ? 2 : 0) | (x[1] < b[2] ? 4 : 0) | (x[1] > b[3] ? 8 : 0);
     if (sides != 0 || !this->isBox)
@@ -254,8 +260,7 @@ public:
         {
           const auto triangle = triangleOf(t, this->sites, static_cast<std::int64_t>(f));
           Position& center = this->centers[f];
-          powerCenter(*triangle[0], *triangle[1], *triangle[2], center.data());
-          center = { center[0] + 0.0, center[1] + 0.0 }; // -0 is 0
+          centerOf(*triangle[0], *triangle[1], *triangle[2], center.data());
           this->where[f] = this->domain.whereIs(center, triangle);
         }
         monitor.advance(static_cast<std::int64_t>(end - begin));
@@ -298,15 +303,25 @@ private:
     {
       return false;
     }
-    std::uint8_t common = 0xFF;
+    bool isInBox = true;
     for (const Index h : star.ring)
     {
-      common &= this->where[this->neighbours.facets()->of().cell(h)];
-    }
-    for (std::size_t i = 0; common >= Domain::Inside && i < star.ring.size(); ++i)
-    {
-      const Index f = this->neighbours.facets()->of().cell(star.ring[i]);
+      const Index f = this->neighbours.facets()->of().cell(h);
       cell.push_back({ this->centers[f], f });
+      isInBox = isInBox && this->domain.isInBox(this->centers[f]);
+    }
+    if (isInBox)
+    {
+      return true;
+    }
+    std::uint8_t common = 0xFF;
+    for (const CellCorner& corner : cell)
+    {
+      common &= this->where[corner.facet];
+    }
+    if (common < Domain::Inside)
+    {
+      cell.clear();
     }
     return common != 0;
   }

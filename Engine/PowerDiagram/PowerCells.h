@@ -6,7 +6,7 @@
 #define flipflop_PowerCells_h
 
 #include "PowerDiagram/CellRepair.h"
-#include "PowerDiagram/PowerCorners.h"
+#include "PowerDiagram/PowerSite.h"
 #include "Support/Monitor.h"
 #include <flipflop/Buffer.h>
 #include <flipflop/CellComplex.h>

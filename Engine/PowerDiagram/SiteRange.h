@@ -5,7 +5,7 @@
 #ifndef flipflop_SiteRange_h
 #define flipflop_SiteRange_h
 
-#include "PowerDiagram/PowerCorners.h"
+#include "PowerDiagram/PowerSite.h"
 #include "Predicates/RoundedFractions.h"
 
 #include <cmath>

@@ -9,7 +9,7 @@
 #include "Mesh/CellStructure.h"
 #include "Mesh/VertexStars.h"
 #include "Points/PointSource.h"
-#include "PowerDiagram/PowerCorners.h"
+#include "PowerDiagram/PowerSite.h"
 #include <flipflop/Buffer.h>
 #include <flipflop/Triangulation.h>
 

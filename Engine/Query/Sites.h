@@ -14,7 +14,7 @@
 #include "Geometry/LiftedGeometry.h"
 #include "Points/CoordinateRange.h"
 #include "Points/Vertex.h"
-#include "PowerDiagram/PowerCorners.h"
+#include "PowerDiagram/PowerSite.h"
 #include <flipflop/Buffer.h>
 #include <flipflop/Triangulation.h>
 
