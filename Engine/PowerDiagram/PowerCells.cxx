@@ -161,6 +161,24 @@ public:
     return end == NoIndex ? entry : end;
   }
 
+  /// Does an edge to a neighbour meet a side of the box here, after rounding took its other end to
+  /// that side? The other end stands for both: their order along the side may be wrong.
+  bool isSpike(const CellRing& ring, CellRing::Index i) const
+  {
+    const RingCorner& corner = ring[i];
+    const std::int64_t before = ring[corner.before].line;
+    if (!this->isBox || (before < 0) == (corner.line < 0))
+    {
+      return false;
+    }
+    constexpr std::size_t bound[] = { 2, 1, 3, 0 }; // of bottom, right, top, left
+    const std::size_t k = bound[-1 - std::min(before, corner.line)];
+    const std::size_t along = 1 - k / 2;
+    const double x = corner.x[along];
+    return x != this->bounds[2 * along] && x != this->bounds[2 * along + 1] &&
+      ring[before < 0 ? corner.after : corner.before].x[k / 2] == this->bounds[k];
+  }
+
   const std::vector<double>& corners;
   const std::array<double, 4> bounds;
   const bool isBox;
@@ -347,8 +365,12 @@ private:
     }
     const CellRing::Index start = this->startOf(ring, star, around.size());
     ring.eachFrom(start,
-      [&](CellRing::Index i) {
-        cell.push_back({ { ring[i].x[0], ring[i].x[1] }, NoIndex });
+      [&](CellRing::Index i)
+      {
+        if (!this->domain.isSpike(ring, i))
+        {
+          cell.push_back({ { ring[i].x[0], ring[i].x[1] }, NoIndex });
+        }
       });
   }
 
