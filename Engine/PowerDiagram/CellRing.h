@@ -87,9 +87,11 @@ public:
 
   /// Leaves what is within a line; what has no inside then is empty.
   ///
-  /// @param cutter int side(before, corner): the corner, whose last one is given, is within the
+  /// @param cutter static constexpr bool IsExact
+  ///               int side(before, corner): the corner, whose last one is given, is within the
   ///               line: positive, on it: zero, beyond: negative.
-  ///               int rise(from, to): the edge comes nearer to what is beyond: positive.
+  ///               int rise(from, to): the way comes nearer to what is beyond: positive. If exact,
+  ///               this is an edge.
   ///               void meet(from, to, bool leaves, double* x): where the edge meets the line, and
   ///               leaves what is within or enters it
   template <class Cutter>
@@ -152,10 +154,17 @@ private:
     return cutter.side(this->corners[this->corners[corner].before], this->corners[corner]);
   }
 
-  /// Uphill: a convex polygon has no other top.
+  /// Uphill: a convex polygon has no other top. Rounded, it may have more.
   template <class Cutter>
   Index farthest(const Cutter& cutter) const
   {
+    if constexpr (!Cutter::IsExact)
+    {
+      Index top = this->at;
+      this->eachFrom(this->at,
+        [&](Index i) { top = cutter.rise(this->corners[top], this->corners[i]) > 0 ? i : top; });
+      return top;
+    }
     const auto rise = [&](Index from)
     { return cutter.rise(this->corners[from], this->corners[this->corners[from].after]); };
     Index corner = this->at;

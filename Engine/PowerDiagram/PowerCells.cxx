@@ -228,6 +228,8 @@ struct LinesOfCell
 class ExactCutter
 {
 public:
+  static constexpr bool IsExact = true;
+
   ExactCutter(const LinesOfCell& linesOfCell, std::int64_t line)
     : lines(linesOfCell)
     , own(linesOfCell[line])

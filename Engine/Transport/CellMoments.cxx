@@ -46,6 +46,8 @@ struct ScaledWay
 /// much.
 struct RoundedCutter
 {
+  static constexpr bool IsExact = false;
+
   const double* normal;
   double most;
 
@@ -56,8 +58,7 @@ struct RoundedCutter
 
   int side(const RingCorner& /*before*/, const RingCorner& corner) const
   {
-    const double far = this->beyond(corner);
-    return (far < 0) - (far > 0);
+    return this->beyond(corner) > 0 ? -1 : 1;
   }
 
   int rise(const RingCorner& from, const RingCorner& to) const
