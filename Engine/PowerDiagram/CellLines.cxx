@@ -123,7 +123,7 @@ void centerOf(const PowerSite& site, const PowerSite& b, const PowerSite& c, dou
 {
   if (!quickCenter(site, b, c, position))
   {
-    meetingOf(site, { &b, nullptr, nullptr }, { &c, nullptr, nullptr }, position);
+    meetingOf(site, lineTo(b), lineTo(c), position);
   }
   position[0] += 0.0; // -0 is 0
   position[1] += 0.0;
@@ -148,7 +148,7 @@ int sideOfMeeting(
 
 CellCutter::CellCutter(const PowerSite& site, const PowerSite& other)
   : center(site)
-  , own{ &other, nullptr, nullptr }
+  , own(lineTo(other))
   , normal{ 2 * (other.x[0] - site.x[0]), 2 * (other.x[1] - site.x[1]) }
   , level(0.25 * (normal[0] * normal[0] + normal[1] * normal[1]) - (other.weight - site.weight))
   , levelSize(0.25 * (normal[0] * normal[0] + normal[1] * normal[1]) + std::fabs(other.weight) +

@@ -34,6 +34,12 @@ struct CellLine
   const double* to;
 };
 
+/// Of equal power to a site.
+inline CellLine lineTo(const PowerSite& other)
+{
+  return { &other, nullptr, nullptr };
+}
+
 /// Where two lines of the cell of @p site meet, each coordinate rounded to nearest; one beyond the
 /// doubles is infinite with its sign.
 /// @throw Error BadArgument where they do not turn left

@@ -147,6 +147,17 @@ public:
     this->start = keepsStart ? this->start : next;
   }
 
+  /// Of the edges of a corner that goes, one on a side of the polygon stays.
+  void remove(Index corner)
+  {
+    const RingCorner& gone = this->corners[corner];
+    RingCorner& last = this->corners[gone.before];
+    last.line = gone.line < 0 ? gone.line : last.line;
+    this->at = gone.after;
+    this->start = corner == this->start ? gone.after : this->start;
+    this->link(gone.before, gone.after);
+  }
+
 private:
   template <class Cutter>
   int side(const Cutter& cutter, Index corner) const

@@ -10,21 +10,18 @@
 /// are.
 #include "PowerDiagram/PowerCells.h"
 
-#include "Geometry/ConvexPolygon.h"
+#include "PowerDiagram/CellDomain.h"
 #include "PowerDiagram/CellLines.h"
 #include "PowerDiagram/CellRing.h"
 #include "PowerDiagram/CornerNumbers.h"
-#include "PowerDiagram/DomainCorners.h"
 #include "PowerDiagram/SiteNeighbours.h"
+#include "PowerDiagram/StartInBox.h"
 #include "PowerDiagram/TriangulationInput.h"
-#include "Predicates/PlaneOrientation.h"
 #include "Support/Parallel.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace flipflop
 {
@@ -59,160 +56,10 @@ std::array<const PowerSite*, 3> triangleOf(
   return { &a, &corner(best), &corner(best + 1) };
 }
 
-CellLine lineTo(const PowerSite& other)
-{
-  return { &other, nullptr, nullptr };
-}
-
-/// The polygon that cells are cut by.
-class Domain
-{
-public:
-  /// Where the center of a facet is: a bit for each side of the bounding box that it is not within,
-  /// and one more if it is in the polygon. None: that is not known.
-  static constexpr std::uint8_t Inside = 16;
-
-  explicit Domain(const std::vector<double>& polygon)
-    : corners(polygon)
-    , bounds(boundingBox(polygon))
-    , isBox(polygon == boxCorners(bounds.data()))
-  {
-  }
-
-  /// Rounding keeps the order along each axis, but may take a position to a side.
-  bool isInBox(const Position& x) const
-  {
-    const std::array<double, 4>& b = this->bounds;
-    return this->isBox && x[0] > b[0] && x[0] < b[1] && x[1] > b[2] && x[1] < b[3];
-  }
-
-  /// @param x        the center, each coordinate rounded to nearest
-  /// @param triangle of the facet
-  std::uint8_t whereIs(const Position& x, const std::array<const PowerSite*, 3>& triangle) const
-  {
-    if (this->isInBox(x))
-    {
-      return Inside;
-    }
-    const std::array<double, 4>& b = this->bounds;
-    int sides =
-      (x[0] < b[0] ? 1 : 0) | (x[0] > b[1] ? 2 : 0) | (x[1] < b[2] ? 4 : 0) | (x[1] > b[3] ? 8 : 0);
-    if (sides != 0 || !this->isBox)
-    {
-      return static_cast<std::uint8_t>(sides == 0 && this->surelyHolds(x) ? Inside : sides);
-    }
-    constexpr std::size_t numbers[] = { 3, 1, 0, 2 };
-    bool isInside = true;
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-      if (x[k / 2] == b[k])
-      {
-        const int sign = sideOfMeeting(
-          *triangle[0], lineTo(*triangle[1]), lineTo(*triangle[2]), this->side(numbers[k]));
-        sides |= (sign <= 0 ? 1 : 0) << k;
-        isInside = isInside && sign >= 0;
-      }
-    }
-    return static_cast<std::uint8_t>(sides | (isInside ? Inside : 0));
-  }
-
-  /// From one corner of the polygon to the next.
-  CellLine side(std::size_t number) const
-  {
-    return { nullptr, this->corner(number), this->corner(number + 1) };
-  }
-
-  /// Where a cell in a box starts: at a position, if that is a corner; else where the sides end
-  /// that cut it off, those of x first, then those of y.
-  /// @param entry the first corner after it on an edge to a neighbour, if there is one
-  CellRing::Index startInBox(
-    const CellRing& ring, CellRing::Index entry, const Position& wanted) const
-  {
-    CellRing::Index found = NoIndex;
-    ring.eachFrom(entry,
-      [&](CellRing::Index i)
-      {
-        const bool isThere = ring[i].x[0] == wanted[0] && ring[i].x[1] == wanted[1];
-        found = found == NoIndex && isThere ? i : found;
-      });
-    if (found != NoIndex)
-    {
-      return found;
-    }
-    // The ends of the sides that lead to the entry: bottom, right, top, left.
-    std::array<CellRing::Index, 4> ends = { NoIndex, NoIndex, NoIndex, NoIndex };
-    const auto endOf = [&](CellRing::Index i) -> CellRing::Index&
-    { return ends[static_cast<std::size_t>(-1 - ring[i].line)]; };
-    for (CellRing::Index i = ring[entry].before; ring[i].line < 0 && endOf(i) == NoIndex;
-         i = ring[i].before)
-    {
-      endOf(i) = ring[i].after;
-    }
-    const int x = (wanted[0] > this->bounds[1]) - (wanted[0] < this->bounds[0]);
-    const int y = (wanted[1] > this->bounds[3]) - (wanted[1] < this->bounds[2]);
-    const CellRing::Index across = x < 0 ? ends[3] : x > 0 ? ends[1] : NoIndex;
-    if (across == entry && ring[entry].line >= 0)
-    {
-      return entry;
-    }
-    // A side of x that is there ends beyond the one of y that comes next around.
-    const bool isBelow = across != NoIndex ? x < 0 : y < 0 || (y == 0 && x < 0);
-    const CellRing::Index end = ends[isBelow ? 0 : 2];
-    return end == NoIndex ? entry : end;
-  }
-
-  /// Does an edge to a neighbour meet a side of the box here, after rounding took its other end to
-  /// that side? The other end stands for both: their order along the side may be wrong.
-  bool isSpike(const CellRing& ring, CellRing::Index i) const
-  {
-    const RingCorner& corner = ring[i];
-    const std::int64_t before = ring[corner.before].line;
-    if (!this->isBox || (before < 0) == (corner.line < 0))
-    {
-      return false;
-    }
-    constexpr std::size_t bound[] = { 2, 1, 3, 0 }; // of bottom, right, top, left
-    const std::size_t k = bound[-1 - std::min(before, corner.line)];
-    const std::size_t along = 1 - k / 2;
-    const double x = corner.x[along];
-    return x != this->bounds[2 * along] && x != this->bounds[2 * along + 1] &&
-      ring[before < 0 ? corner.after : corner.before].x[k / 2] == this->bounds[k];
-  }
-
-  const std::vector<double>& corners;
-  const std::array<double, 4> bounds;
-  const bool isBox;
-
-private:
-  const double* corner(std::size_t i) const
-  {
-    return this->corners.data() + 2 * i % this->corners.size();
-  }
-
-  /// Is every position that rounds to @p x within? False where that is not certain.
-  bool surelyHolds(const Position& x) const
-  {
-    constexpr double Infinite = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 4; ++k)
-    {
-      const double around[2] = { std::nextafter(x[0], k % 2 ? Infinite : -Infinite),
-        std::nextafter(x[1], k / 2 ? Infinite : -Infinite) };
-      if (!std::isfinite(around[0]) || !std::isfinite(around[1]) ||
-        fanTriangleOf(this->corners.size() / 2,
-          [&](std::size_t i, std::size_t j)
-          { return planeOrientation(this->corner(i), this->corner(j), around); }) == 0)
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-};
-
 /// What the cell of a site is cut by, by number (CellRing.h).
 struct LinesOfCell
 {
-  const Domain& domain;
+  const CellDomain& domain;
   const Buffer<PowerSite>& sites;
   const PowerSite& site;
   const std::vector<Index>& neighbours;
@@ -265,10 +112,10 @@ class CellMaker
 {
 public:
   CellMaker(const CellComplex& triangulation, const Buffer<PowerSite>& given,
-    const std::vector<double>& polygon, Monitor& monitor)
+    const std::vector<double>& polygon, bool isBox, Monitor& monitor)
     : t(triangulation)
     , sites(given)
-    , domain(polygon)
+    , domain(polygon, isBox)
     , neighbours(triangulation)
     , centers(neighbours.facets() ? static_cast<std::size_t>(t.cellCount()) : 0)
     , where(centers.size())
@@ -339,7 +186,7 @@ private:
     {
       common &= this->where[corner.facet];
     }
-    if (common < Domain::Inside)
+    if (common < CellDomain::Inside)
     {
       cell.clear();
     }
@@ -365,20 +212,34 @@ private:
     {
       return;
     }
-    const CellRing::Index start = this->startOf(ring, star, around.size());
-    ring.eachFrom(start,
-      [&](CellRing::Index i)
-      {
-        if (!this->domain.isSpike(ring, i))
-        {
-          cell.push_back({ { ring[i].x[0], ring[i].x[1] }, NoIndex });
-        }
+    this->removeSpikes(ring);
+    ring.eachFrom(this->startOf(ring, site, star, around),
+      [&](CellRing::Index i) {
+        cell.push_back({ { ring[i].x[0], ring[i].x[1] }, NoIndex });
       });
   }
 
-  /// From the first neighbour's edge, else from the polygon's first corner. In a box, from where
-  /// the first facet's center is or was cut off, else from the end of the last neighbour's edge.
-  CellRing::Index startOf(const CellRing& ring, const Star& star, std::size_t neighbourCount) const
+  void removeSpikes(CellRing& ring) const
+  {
+    std::vector<CellRing::Index> spikes;
+    ring.eachFrom(ring.first(),
+      [&](CellRing::Index i)
+      {
+        if (this->domain.isSpike(ring, i))
+        {
+          spikes.push_back(i);
+        }
+      });
+    for (const CellRing::Index i : spikes)
+    {
+      ring.remove(i);
+    }
+  }
+
+  /// In a box, see StartInBox.h. Else from the first neighbour's edge, or from the polygon's first
+  /// corner.
+  CellRing::Index startOf(
+    const CellRing& ring, Index site, const Star& star, const std::vector<Index>& around) const
   {
     const auto rank = [&ring](CellRing::Index corner)
     {
@@ -386,19 +247,55 @@ private:
       return line >= 0 ? line : static_cast<std::int64_t>(NoIndex) - line;
     };
     CellRing::Index start = ring.first();
-    CellRing::Index end = NoIndex;
+    CellRing::Index endOfLast = NoIndex;
     ring.eachFrom(ring.first(),
       [&](CellRing::Index i)
       {
         start = rank(i) < rank(start) ? i : start;
-        end = rank(i) + 1 == static_cast<std::int64_t>(neighbourCount) ? ring[i].after : end;
+        endOfLast =
+          rank(i) + 1 == static_cast<std::int64_t>(around.size()) ? ring[i].after : endOfLast;
       });
-    if (this->domain.isBox && !star.ring.empty())
+    if (!this->domain.isBox || around.empty())
     {
-      const Index f = this->neighbours.facets()->of().cell(star.ring[0]);
-      return this->domain.startInBox(ring, start, this->centers[f]);
+      return start;
     }
-    return this->domain.isBox && end != NoIndex ? end : start;
+    const CellRing::Index found =
+      startInBox(ring, this->domain.bounds, this->startOfBorder(site, star, around),
+        [&](std::size_t side, const double* x)
+        {
+          return std::any_of(around.begin(), around.end(),
+            [&](Index other)
+            { return isEntry(this->sites[site], this->sites[other], this->domain.side(side), x); });
+        });
+    return found != NoIndex ? found : star.ring.empty() && endOfLast != NoIndex ? endOfLast : start;
+  }
+
+  /// Where the cell starts before it is cut: in the first facet's center. A strip has no corners,
+  /// but starts on its last line, where that meets the line of the sites.
+  Position startOfBorder(Index site, const Star& star, const std::vector<Index>& around) const
+  {
+    if (!star.ring.empty())
+    {
+      return this->centers[this->neighbours.facets()->of().cell(star.ring[0])];
+    }
+    const PowerSite& own = this->sites[site];
+    const PowerSite& last = this->sites[around.back()];
+    Position position;
+    meetingOf(own, lineTo(last), { nullptr, last.x, own.x }, position.data());
+    return position;
+  }
+
+  /// Does the line to a neighbour come into the domain over a side, and do so at a position?
+  static bool isEntry(
+    const PowerSite& site, const PowerSite& neighbour, const CellLine& side, const double* x)
+  {
+    if (CellCutter(site, neighbour).rise(side) <= 0)
+    {
+      return false;
+    }
+    Position meeting;
+    meetingOf(site, side, lineTo(neighbour), meeting.data());
+    return meeting[0] == x[0] && meeting[1] == x[1];
   }
 
   /// Are there neighbours, elsewhere, and is the triangulation regular at the edges to them? The
@@ -433,7 +330,7 @@ private:
 
   const CellComplex& t;
   const Buffer<PowerSite>& sites;
-  const Domain domain;
+  const CellDomain domain;
   const SiteNeighbours neighbours;
   Buffer<Position> centers;   ///< of the facets
   Buffer<std::uint8_t> where; ///< they are
@@ -442,9 +339,9 @@ private:
 }
 
 RoundedCells roundedCells(const CellComplex& t, const std::uint8_t* wanted,
-  const Buffer<PowerSite>& sites, const std::vector<double>& polygon, Monitor& monitor)
+  const Buffer<PowerSite>& sites, const std::vector<double>& polygon, bool isBox, Monitor& monitor)
 {
-  const CellMaker maker(t, sites, polygon, monitor);
+  const CellMaker maker(t, sites, polygon, isBox, monitor);
   monitor.poll();
   std::vector<CellChunk> chunks(
     chunkCount(sites.size(), SitesPerTask), CellChunk(maker.facetCenters().size()));

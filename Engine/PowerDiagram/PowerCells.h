@@ -21,10 +21,11 @@ namespace flipflop
 /// @param t       checked by requireCells()
 /// @param wanted  by site: is its cell wanted? null: all are
 /// @param polygon from domainCorners()
+/// @param isBox   is it given as a box? Its cells start elsewhere (StartInBox.h)
 /// @param monitor is in a stage of one for each facet and each site
 /// @throw Error   BadArgument (what is no triangulation), TooManyPoints, Aborted
 RoundedCells roundedCells(const CellComplex& t, const std::uint8_t* wanted,
-  const Buffer<PowerSite>& sites, const std::vector<double>& polygon, Monitor& monitor);
+  const Buffer<PowerSite>& sites, const std::vector<double>& polygon, bool isBox, Monitor& monitor);
 
 }
 

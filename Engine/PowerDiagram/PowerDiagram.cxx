@@ -36,7 +36,8 @@ bool makeCells(const PointView& points, const WeightView& weights, const CellCom
     {
       const Buffer<PowerSite> sites = loadSites(points, weights, complex);
       requireCells(complex);
-      RoundedCells cells = roundedCells(complex, wanted, sites, polygon, monitor);
+      RoundedCells cells =
+        roundedCells(complex, wanted, sites, polygon, domain.corners == 0, monitor);
       monitor.stage(0.9, 1.0, 1, "finishing");
       isMade = !wanted || areConvex(cells, polygon, monitor);
       if (!wanted)

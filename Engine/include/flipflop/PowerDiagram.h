@@ -25,7 +25,9 @@ namespace flipflop
 /// the box is in two cells, once in either direction; an edge on a side of the box is in one.
 ///
 /// These are effects of rounding: True cells are convex, but a corner of a rounded cell may turn
-/// right by as much as rounding explains. Corners that round to one position are one. If a corner
+/// right by as much as rounding explains. Corners that round to one position are one. If an edge
+/// meets a side of the box, and its other end rounds to that side, that end is its only corner
+/// there. If a corner
 /// turns right, and ends an edge of at most four units (in the last place of the greater
 /// coordinate), the two ends are merged. A corner moves no further than that, and corners of the
 /// box stay. If a cell still crosses itself, such as the tip of a needle thinner than a unit, a
@@ -35,8 +37,9 @@ namespace flipflop
 /// nothing is merged, cut or joined.
 ///
 /// A cell starts at the corner of its site's lowest facet (at the border of the triangulation: of
-/// the first facet counter-clockwise). If that corner is not in the box or was cut off, the cell
-/// starts at the first corner after it. Corners come in the order in which the cells first use
+/// the first facet counter-clockwise). If the box cuts that off, the start moves along the border
+/// of the cell, counter-clockwise, to where that comes between the two sides of x, and from there
+/// to where it comes between those of y. Corners come in the order in which the cells first use
 /// them.
 struct PowerDiagram
 {

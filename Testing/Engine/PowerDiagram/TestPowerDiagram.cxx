@@ -164,6 +164,65 @@ TEST(PowerDiagram, CollinearSitesHaveStrips)
   }
 }
 
+/// In a box that cuts off the position where a cell would start.
+TEST(PowerDiagram, CellsStartWhereTheirBorderComesIn)
+{
+  const auto startsOf = [](const Cloud& sites, const Box& box)
+  {
+    std::vector<std::array<double, 2>> starts;
+    const PowerDiagram diagram = expectRight(sites, box);
+    for (std::size_t c = 0; c < diagram.siteIds.size(); ++c)
+    {
+      const std::int64_t corner = diagram.connectivity[diagram.offsets[c]];
+      starts.push_back({ diagram.corners[2 * corner], diagram.corners[2 * corner + 1] });
+    }
+    return starts;
+  };
+  using Starts = std::vector<std::array<double, 2>>;
+  const Cloud row = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } };
+  EXPECT_EQ(startsOf(row, { -1, 3, -1, 1 }), (Starts{ { 0.5, 1 }, { 0.5, -1 }, { 1.5, -1 } }));
+  EXPECT_EQ(startsOf(row, { -1, 3, 1, 2 }), (Starts{ { 0.5, 1 }, { 1.5, 1 }, { 3, 1 } }));
+  EXPECT_EQ(startsOf(row, { 0.5, 3, 0, 2 }), (Starts{ { 0.5, 0 }, { 1.5, 0 } }));
+  const Cloud slanted = { { 0, 0, 0 }, { 2, 1, 0 }, { 4, 2, 0 } };
+  EXPECT_EQ(startsOf(slanted, { 1.5, 9, 2, 9 }), (Starts{ { 2.75, 2 }, { 9, 2 } }));
+  EXPECT_EQ(startsOf(slanted, { -9, 0, -9, 1 }), (Starts{ { -9, 1 } }));
+  EXPECT_EQ(startsOf(squareGrid(3), { 0.25, 1.5, 0.5, 1.75 }),
+    (Starts{ { 0.5, 0.5 }, { 0.5, 0.5 }, { 0.5, 1.5 }, { 0.5, 1.5 } }));
+  EXPECT_EQ(startsOf(squareGrid(3), { 0.5, 1.5, 0.75, 1 }), (Starts{ { 1.5, 0.75 } }));
+  EXPECT_EQ(startsOf({ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 4, 4, 0 }, { 2, 2, 1 } },
+              { 1, 3, 0.5, 2.5 }),
+    (Starts{ { 1.25, 0.5 }, { 3, 0.75 }, { 2.75, 0.5 } }));
+}
+
+/// A corner that rounds to a side may be within the box or beyond.
+TEST(PowerDiagram, ABoxThroughRoundedCorners)
+{
+  for (const Family& family : roundedFamilies())
+  {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed)
+    {
+      SCOPED_TRACE(std::string(family.name) + ", seed " + std::to_string(seed));
+      Random random(seed);
+      const Cloud sites =
+        fromFamilies(roundedFamilies(), family.name, random.integer(3, 60), seed).make();
+      const PowerDiagram whole =
+        diagramOf(sites, triangulate(sites), powerDiagramBox(viewOf(sites)));
+      const auto bound = [&](std::size_t axis)
+      { return whole.corners[2 * random.pick(whole.corners.size() / 2) + axis]; };
+      for (int i = 0; i < 4; ++i)
+      {
+        const auto x = std::minmax({ bound(0), bound(0) });
+        const auto y = std::minmax({ bound(1), bound(1) });
+        if (x.first < x.second && y.first < y.second)
+        {
+          expectRight(sites, { x.first, x.second, y.first, y.second });
+        }
+      }
+      ASSERT_FALSE(HasFailure());
+    }
+  }
+}
+
 /// What has a known number of cells and corners.
 struct KnownDiagram
 {
