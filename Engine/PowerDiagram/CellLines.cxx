@@ -106,14 +106,64 @@ ExponentRange rangeOfLines(const PowerSite& site, const Lines&... lines)
   return range;
 }
 
+/// In integers.
+void meetingExactly(const PowerSite& site, const CellLine& a, const CellLine& b, double* position)
+{
+  decide(rangeOfLines(site, a, b), [&](const auto& k) { return meeting(k, site, a, b, position); });
+}
+
+/// Where a line of equal power has the value @p at on an axis: the other coordinate.
+template <class Arithmetic>
+bool crossing(const Arithmetic& k, const PowerSite& site, const PowerSite& other, int axis,
+  double at, double& result)
+{
+  const LineNumbers<Arithmetic> line(k, site, other);
+  const auto along = line.n[axis] * k.difference(at, site.x[axis]);
+  const auto& across = line.n[1 - axis];
+  return k.round(site.x[1 - axis], line.c - (along + along), across + across, result);
+}
+
+/// Nearly all corners on a box's border come of this.
+FF_FLATTEN bool quickCrossing(
+  const PowerSite& site, const PowerSite& other, int axis, double at, double& result)
+{
+  return crossing(BoundedArithmetic<>(), site, other, axis, at, result);
+}
+
+/// The meeting with a line along an axis, as sides of boxes are: one coordinate is given.
+/// @return false: that line has none
+bool meetingAlongAxis(
+  const PowerSite& site, const CellLine& line, const PowerSite& other, double* position)
+{
+  const int axis = line.other    ? 2
+    : line.from[0] == line.to[0] ? 0
+    : line.from[1] == line.to[1] ? 1
+                                 : 2;
+  if (axis == 2)
+  {
+    return false;
+  }
+  const double at = line.from[axis];
+  double& across = position[1 - axis];
+  position[axis] = at;
+  if (!quickCrossing(site, other, axis, at, across))
+  {
+    decide(rangeOfLines(site, lineTo(other), line),
+      [&](const auto& k) { return crossing(k, site, other, axis, at, across); });
+  }
+  return true;
+}
+
 }
 
 void meetingOf(const PowerSite& site, const CellLine& a, const CellLine& b, double* position)
 {
-  if (!meeting(BoundedArithmetic<>(), site, a, b, position))
+  const bool isFound = (a.other && meetingAlongAxis(site, b, *a.other, position)) ||
+    (b.other && meetingAlongAxis(site, a, *b.other, position)) ||
+    meeting(BoundedArithmetic<>(), site, a, b, position);
+  if (!isFound)
   {
-    decide(
-      rangeOfLines(site, a, b), [&](const auto& k) { return meeting(k, site, a, b, position); });
+    meetingExactly(site, a, b, position);
   }
   position[0] += 0.0; // -0 is 0
   position[1] += 0.0;
@@ -123,7 +173,7 @@ void centerOf(const PowerSite& site, const PowerSite& b, const PowerSite& c, dou
 {
   if (!quickCenter(site, b, c, position))
   {
-    meetingOf(site, lineTo(b), lineTo(c), position);
+    meetingExactly(site, lineTo(b), lineTo(c), position);
   }
   position[0] += 0.0; // -0 is 0
   position[1] += 0.0;

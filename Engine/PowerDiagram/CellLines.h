@@ -41,11 +41,11 @@ inline CellLine lineTo(const PowerSite& other)
 }
 
 /// Where two lines of the cell of @p site meet, each coordinate rounded to nearest; one beyond the
-/// doubles is infinite with its sign.
-/// @throw Error BadArgument where they do not turn left
+/// doubles is infinite with its sign. They turn left.
 void meetingOf(const PowerSite& site, const CellLine& a, const CellLine& b, double* position);
 
-/// The same for two lines of equal power: the point of equal power to three sites, which turn left.
+/// The same for two lines of equal power: the point of equal power to three sites.
+/// @throw Error BadArgument where these do not turn left
 void centerOf(const PowerSite& site, const PowerSite& b, const PowerSite& c, double* position);
 
 /// Of two lines of the cell of @p site, which turn left, the meeting is within a third line: 1, on

@@ -41,8 +41,7 @@ bool areConvex(const RoundedCells& cells, const std::vector<double>& polygon, Mo
 ///
 /// @param cells    as rounded, also those without an inside
 /// @param polygon  what the cells fill (domainCorners()): its corners stay. Its sides are rounded:
-/// a
-///                 cell without an inside that no other can take is omitted
+///                 a cell without an inside that no other can take is omitted
 /// @param monitor  is polled
 void repairCells(RoundedCells& cells, const std::vector<double>& polygon, Monitor& monitor);
 

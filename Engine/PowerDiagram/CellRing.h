@@ -4,9 +4,9 @@
 /// A power cell in a convex polygon: the polygon, cut by the lines of equal power to the neighbours
 /// of the cell's site. A box is a polygon of four corners.
 ///
-/// A cut starts at the corner that is farthest across the line, which is sought uphill from the
-/// last cut. Neighbours come in their order around the site, so that corner is near, and a cell
-/// takes a time proportional to the sides and the neighbours.
+/// A cut starts at the corner that is farthest across the line. If signs are exact, it is sought
+/// uphill from the last cut: neighbours come in their order around the site, so that corner is
+/// near, and a cell takes a time proportional to the sides and the neighbours.
 #ifndef flipflop_CellRing_h
 #define flipflop_CellRing_h
 
@@ -87,13 +87,12 @@ public:
 
   /// Leaves what is within a line; what has no inside then is empty.
   ///
-  /// @param cutter static constexpr bool IsExact
-  ///               int side(before, corner): the corner, whose last one is given, is within the
+  /// @param cutter int side(before, corner): the corner, whose last one is given, is within the
   ///               line: positive, on it: zero, beyond: negative.
-  ///               int rise(from, to): the way comes nearer to what is beyond: positive. If exact,
-  ///               this is an edge.
   ///               void meet(from, to, bool leaves, double* x): where the edge meets the line, and
-  ///               leaves what is within or enters it
+  ///               leaves what is within or enters it.
+  ///               static constexpr bool IsExact; if so, int rise(from, to): the edge comes nearer
+  ///               to what is beyond: positive; else double beyond(corner): how far
   template <class Cutter>
   void cut(const Cutter& cutter, std::int64_t line)
   {
@@ -165,17 +164,32 @@ private:
     return cutter.side(this->corners[this->corners[corner].before], this->corners[corner]);
   }
 
-  /// Uphill: a convex polygon has no other top. Rounded, it may have more.
+  /// Rounded, a cell may have more tops than one.
   template <class Cutter>
   Index farthest(const Cutter& cutter) const
   {
-    if constexpr (!Cutter::IsExact)
+    if constexpr (Cutter::IsExact)
+    {
+      return this->uphill(cutter);
+    }
+    else
     {
       Index top = this->at;
-      this->eachFrom(this->at,
-        [&](Index i) { top = cutter.rise(this->corners[top], this->corners[i]) > 0 ? i : top; });
+      double most = cutter.beyond(this->corners[top]);
+      for (Index i = this->corners[top].after; i != this->at; i = this->corners[i].after)
+      {
+        const double far = cutter.beyond(this->corners[i]);
+        top = far > most ? i : top;
+        most = far > most ? far : most;
+      }
       return top;
     }
+  }
+
+  /// A convex polygon has no other top.
+  template <class Cutter>
+  Index uphill(const Cutter& cutter) const
+  {
     const auto rise = [&](Index from)
     { return cutter.rise(this->corners[from], this->corners[this->corners[from].after]); };
     Index corner = this->at;

@@ -62,12 +62,27 @@ struct LinesOfCell
   const CellDomain& domain;
   const Buffer<PowerSite>& sites;
   const PowerSite& site;
-  const std::vector<Index>& neighbours;
+  const std::vector<Index>& neighbours; ///< the first facet is between the last and the first
+  const CellPolygon& whole;             ///< the facets' centers
 
   CellLine operator[](std::int64_t line) const
   {
     return line < 0 ? this->domain.side(static_cast<std::size_t>(-1 - line))
                     : lineTo(this->sites[this->neighbours[static_cast<std::size_t>(line)]]);
+  }
+
+  /// Of two that turn left.
+  void meet(std::int64_t a, std::int64_t b, double* x) const
+  {
+    const auto next = static_cast<std::size_t>(a + 1) % this->neighbours.size();
+    const auto facet = static_cast<std::size_t>(b);
+    if (a >= 0 && b >= 0 && facet == next && facet < this->whole.size())
+    {
+      x[0] = this->whole[facet].x[0];
+      x[1] = this->whole[facet].x[1];
+      return;
+    }
+    meetingOf(this->site, (*this)[a], (*this)[b], x);
   }
 };
 
@@ -79,8 +94,8 @@ public:
 
   ExactCutter(const LinesOfCell& linesOfCell, std::int64_t line)
     : lines(linesOfCell)
-    , own(linesOfCell[line])
-    , cutter(linesOfCell.site, *own.other)
+    , own(line)
+    , cutter(linesOfCell.site, *linesOfCell[line].other)
   {
   }
 
@@ -98,13 +113,12 @@ public:
 
   void meet(const RingCorner& from, const RingCorner& /*to*/, bool leaves, double* x) const
   {
-    const CellLine edge = this->lines[from.line];
-    meetingOf(this->lines.site, leaves ? edge : this->own, leaves ? this->own : edge, x);
+    this->lines.meet(leaves ? from.line : this->own, leaves ? this->own : from.line, x);
   }
 
 private:
   const LinesOfCell& lines;
-  const CellLine own;
+  const std::int64_t own;
   const CellCutter cutter;
 };
 
@@ -142,6 +156,7 @@ public:
     CellRing cut;
     Star star;
     std::vector<Index> around;
+    CellPolygon whole;
     CellPolygon cell;
     for (Index i = begin; i < end; ++i)
     {
@@ -150,58 +165,57 @@ public:
         continue;
       }
       this->neighbours.link(i, star);
-      cell.clear();
-      if (!this->isDecided(star, cell))
+      if (this->isDecided(star, whole))
       {
-        this->neighbours.list(i, star, around);
-        this->checkAround(i, star, around);
-        this->cutCell(i, star, around, cut, cell);
+        chunk.add(this->t.pointIds[i], whole);
+        continue;
       }
+      this->neighbours.list(i, star, around);
+      this->checkAround(i, star, around);
+      this->cutCell(i, whole, around, cut, cell);
       chunk.add(this->t.pointIds[i], cell);
     }
   }
 
 private:
-  /// Do the facets alone show what is left of the cell: all, and its corners become @p cell; or
-  /// nothing?
-  bool isDecided(const Star& star, CellPolygon& cell) const
+  /// Do the facets alone show what is left of the cell, all or nothing?
+  /// @param whole becomes the facets' centers; if nothing is left, nothing
+  bool isDecided(const Star& star, CellPolygon& whole) const
   {
-    if (!star.isClosed)
-    {
-      return false;
-    }
-    bool isInBox = true;
+    whole.clear();
+    bool isInBox = star.isClosed;
     for (const Index h : star.ring)
     {
       const Index f = this->neighbours.facets()->of().cell(h);
-      cell.push_back({ this->centers[f], f });
+      whole.push_back({ this->centers[f], f });
       isInBox = isInBox && this->domain.isInBox(this->centers[f]);
     }
-    if (isInBox)
+    if (isInBox || !star.isClosed)
     {
-      return true;
+      return isInBox;
     }
     std::uint8_t common = 0xFF;
-    for (const CellCorner& corner : cell)
+    for (const CellCorner& corner : whole)
     {
       common &= this->where[corner.facet];
     }
-    if (common < CellDomain::Inside)
+    if (common != 0 && common < CellDomain::Inside)
     {
-      cell.clear();
+      whole.clear();
     }
     return common != 0;
   }
 
-  void cutCell(Index site, const Star& star, std::vector<Index>& around, CellRing& ring,
+  void cutCell(Index site, const CellPolygon& whole, std::vector<Index>& around, CellRing& ring,
     CellPolygon& cell) const
   {
+    cell.clear();
     if (!around.empty())
     {
       // The edge to the first neighbour starts in the first facet's center.
       std::rotate(around.begin(), around.begin() + 1, around.end());
     }
-    const LinesOfCell lines = { this->domain, this->sites, this->sites[site], around };
+    const LinesOfCell lines = { this->domain, this->sites, this->sites[site], around, whole };
     ring.begin(this->domain.corners);
     for (std::size_t i = 0; i < around.size() && !ring.isEmpty(); ++i)
     {
@@ -213,7 +227,7 @@ private:
       return;
     }
     this->removeSpikes(ring);
-    ring.eachFrom(this->startOf(ring, site, star, around),
+    ring.eachFrom(this->startOf(ring, site, whole, around),
       [&](CellRing::Index i) {
         cell.push_back({ { ring[i].x[0], ring[i].x[1] }, NoIndex });
       });
@@ -238,8 +252,8 @@ private:
 
   /// In a box, see StartInBox.h. Else from the first neighbour's edge, or from the polygon's first
   /// corner.
-  CellRing::Index startOf(
-    const CellRing& ring, Index site, const Star& star, const std::vector<Index>& around) const
+  CellRing::Index startOf(const CellRing& ring, Index site, const CellPolygon& whole,
+    const std::vector<Index>& around) const
   {
     const auto rank = [&ring](CellRing::Index corner)
     {
@@ -260,23 +274,24 @@ private:
       return start;
     }
     const CellRing::Index found =
-      startInBox(ring, this->domain.bounds, this->startOfBorder(site, star, around),
+      startInBox(ring, this->domain.bounds, this->startOfBorder(site, whole, around),
         [&](std::size_t side, const double* x)
         {
           return std::any_of(around.begin(), around.end(),
             [&](Index other)
             { return isEntry(this->sites[site], this->sites[other], this->domain.side(side), x); });
         });
-    return found != NoIndex ? found : star.ring.empty() && endOfLast != NoIndex ? endOfLast : start;
+    return found != NoIndex ? found : whole.empty() && endOfLast != NoIndex ? endOfLast : start;
   }
 
   /// Where the cell starts before it is cut: in the first facet's center. A strip has no corners,
   /// but starts on its last line, where that meets the line of the sites.
-  Position startOfBorder(Index site, const Star& star, const std::vector<Index>& around) const
+  Position startOfBorder(
+    Index site, const CellPolygon& whole, const std::vector<Index>& around) const
   {
-    if (!star.ring.empty())
+    if (!whole.empty())
     {
-      return this->centers[this->neighbours.facets()->of().cell(star.ring[0])];
+      return whole[0].x;
     }
     const PowerSite& own = this->sites[site];
     const PowerSite& last = this->sites[around.back()];

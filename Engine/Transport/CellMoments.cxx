@@ -61,13 +61,6 @@ struct RoundedCutter
     return this->beyond(corner) > 0 ? -1 : 1;
   }
 
-  int rise(const RingCorner& from, const RingCorner& to) const
-  {
-    const double a = this->beyond(from);
-    const double b = this->beyond(to);
-    return (b > a) - (b < a);
-  }
-
   void meet(const RingCorner& from, const RingCorner& to, bool /*leaves*/, double* x) const
   {
     const double atFrom = this->beyond(from);
