@@ -141,10 +141,10 @@ public:
   /// of the hull's volume and three times that of a large tetrahedron in the hull.
   ///
   /// Tried are the box along the coordinate axes, and the least boxes that have an axis along the
-  /// normal of a facet, along an edge (of about a thousand triangles, where there are more), or
-  /// along one of some directions in between. Of hulls of up to 64 edges, triangulated, also the
-  /// boxes with two sides, next to each other, that run along an edge each, as a least box has:
-  /// these are sampled and improved. The best ones are improved by keeping each axis in turn and
+  /// normal of a facet; where these are less than 128, also along an edge, or along one of some
+  /// directions all around. Of hulls of up to 64 edges, triangulated, also the boxes with two
+  /// sides, next to each other, that run along an edge each, as a least box has: these are sampled,
+  /// and the promising ones improved. The best boxes are improved by keeping each axis in turn and
   /// choosing the others again. A hull of dimension 2 gets its rectangle of least area, up to
   /// rounding. Of points in the plane, that is the box: its third axis is z, and volume and
   /// lowerBound are the rectangle's area.
