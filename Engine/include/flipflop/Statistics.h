@@ -18,7 +18,7 @@ struct Statistics
   std::int64_t points = 0;     ///< points given
   std::int64_t nonFinite = 0;  ///< points omitted because a coordinate is NaN or infinite
   std::int64_t culled = 0;     ///< points found inside without being associated to a triangle
-  std::int64_t insertions = 0; ///< vertices inserted (1-3 flips), all samples and levels
+  std::int64_t insertions = 0; ///< vertices inserted (1-3 flips), all samples
   std::int64_t moves = 0;      ///< how often a point moved, to a child cone or by a walk's step
   std::int64_t flips22 = 0;    ///< 2-2 flips
   std::int64_t flips31 = 0;    ///< 3-1 flips
@@ -29,10 +29,10 @@ struct Statistics
   std::int64_t edgeChecks = 0; ///< edges examined by Algorithm 1
   std::int64_t exactCalls = 0; ///< predicates that the floating-point filter left undecided
 
-  double secondsScan = 0;    ///< wall time: ranges, non-finite points, first tetrahedron
-  double secondsLocate = 0;  ///< wall time: culling, associating points to triangles
-  double secondsGrow = 0;    ///< summed over threads: Algorithm 2
-  double secondsFlip = 0;    ///< summed over threads: Algorithm 1; on insertion, wall time of both
+  double secondsScan = 0;   ///< wall time: ranges, non-finite points, first tetrahedron
+  double secondsLocate = 0; ///< wall time: culling, associating points to triangles
+  double secondsGrow = 0;   ///< summed over threads: Algorithm 2
+  double secondsFlip = 0; ///< summed over threads: Algorithm 1; wall time of parts and their merges
   double secondsCompact = 0; ///< wall time, CUDA engine: removing gaps, and copying to the host
   double secondsFinish = 0;  ///< wall time: true facets, canonical order
   double secondsTotal = 0;   ///< wall time of the whole run
