@@ -38,15 +38,6 @@ double powerOfTwo(double x)
   return x;
 }
 
-/// A vector unit's doubles, or several units'. Written as a loop, the comparison becomes a branch
-/// that is mispredicted.
-#if defined(__GNUC__)
-using Several = double __attribute__((vector_size(HullPlanes::Lanes / 2 * sizeof(double))));
-#else
-using Several = double;
-#endif
-static_assert(2 * sizeof(Several) == HullPlanes::Lanes * sizeof(double));
-
 }
 
 HullPlanes::HullPlanes(
@@ -101,23 +92,48 @@ void HullPlanes::add(const HullGeometry& geometry, const Vertex& a, const Vertex
 namespace
 {
 
-// A member would be exported: the loader is to find what picks the clone.
-FF_VECTOR_CLONES
-void compare(const HullPlanes::Plane* planes, std::size_t count, const double* x, const double* y,
-  const double* z, int n, double* height, double* plane)
+/// So many doubles in a vector unit. Written as a loop, the comparison becomes a branch that is
+/// mispredicted.
+template <int Width>
+struct VectorUnit
 {
-  for (int begin = 0; begin < n; begin += HullPlanes::Lanes)
+#if defined(__GNUC__)
+  using Doubles = double __attribute__((vector_size(Width * sizeof(double))));
+#else
+  using Doubles = double;
+#endif
+};
+
+/// What HullPlanes::highest() is called for.
+struct Comparison
+{
+  const std::vector<HullPlanes::Plane>& planes;
+  const double* x[3];
+  int count;
+  double* height;
+  double* plane;
+};
+
+/// @tparam Width of the vector unit that there is: g++ copies wider vectors through memory
+template <int Width>
+FF_INLINE void compareBy(const Comparison& work)
+{
+  using Several = typename VectorUnit<Width>::Doubles;
+  constexpr int Step = 2 * sizeof(Several) / sizeof(double);
+  static_assert(HullPlanes::Lanes % Step == 0);
+  for (int begin = 0; begin < work.count; begin += Step)
   {
     Several p[3][2];
-    std::memcpy(p[0], x + begin, sizeof(p[0]));
-    std::memcpy(p[1], y + begin, sizeof(p[1]));
-    std::memcpy(p[2], z + begin, sizeof(p[2]));
+    for (int k = 0; k < 3; ++k)
+    {
+      std::memcpy(p[k], work.x[k] + begin, sizeof(p[k]));
+    }
     Several most[2] = { Several{} - HUGE_VAL, Several{} - HUGE_VAL };
     Several which[2] = { Several{}, Several{} };
-    for (std::size_t k = 0; k < count; ++k)
+    double next = 0;
+    for (const HullPlanes::Plane& to : work.planes)
     {
-      const HullPlanes::Plane& to = planes[k];
-      const Several number = Several{} + static_cast<double>(k);
+      const Several number = Several{} + next++;
       for (int i = 0; i < 2; ++i)
       {
         const Several h = to.normal[0] * (p[0][i] - to.origin[0]) +
@@ -127,9 +143,26 @@ void compare(const HullPlanes::Plane* planes, std::size_t count, const double* x
         most[i] = h > most[i] ? h : most[i];
       }
     }
-    std::memcpy(height + begin, most, sizeof(most));
-    std::memcpy(plane + begin, which, sizeof(which));
+    std::memcpy(work.height + begin, most, sizeof(most));
+    std::memcpy(work.plane + begin, which, sizeof(which));
   }
+}
+
+// Members would be exported: the loader is to find what picks one of these.
+#if defined(FF_VECTOR_TARGETS)
+__attribute__((target("arch=x86-64-v4"))) void compare(const Comparison& work)
+{
+  compareBy<8>(work);
+}
+__attribute__((target("arch=x86-64-v3"))) void compare(const Comparison& work)
+{
+  compareBy<4>(work);
+}
+__attribute__((target("default")))
+#endif
+void compare(const Comparison& work)
+{
+  compareBy<2>(work);
 }
 
 }
@@ -137,7 +170,7 @@ void compare(const HullPlanes::Plane* planes, std::size_t count, const double* x
 void HullPlanes::highest(
   const double* x, const double* y, const double* z, int n, double* height, double* plane) const
 {
-  compare(this->planes.data(), this->planes.size(), x, y, z, n, height, plane);
+  compare({ this->planes, { x, y, z }, n, height, plane });
 }
 
 }
