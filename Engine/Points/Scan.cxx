@@ -206,22 +206,34 @@ namespace
 
 constexpr int UnitBlock = 256;
 
-/// Are all of a block's coordinates along an axis multiples of a unit? False also where one is so
-/// large that it needs another pass.
-FF_VECTOR_CLONES
-bool areMultiples(const double* x, double perUnit)
+/// Are all of a block's values multiples of a unit? False also where one is so large that it needs
+/// another pass.
+template <class Scalar>
+inline bool areMultiplesOf(const Scalar* x, int count, double unit)
 {
-  constexpr double round = 0x1.8p52;
+  const double round = 0x1.8p52 * unit;
+  const double limit = 0x1p50 * unit;
   double off = 0;
-  for (int i = 0; i < UnitBlock; ++i)
+  for (int i = 0; i < count; ++i)
   {
-    const double units = x[i] * perUnit;
-    const double away = (units + round) - round - units;
-    const double lost = units == 0.0 ? x[i] : 0.0; // underflow
-    const double large = std::fabs(units) < 0x1p50 ? 0.0 : 1.0;
-    off = away != 0.0 || lost != 0.0 || large != 0.0 ? 1.0 : off;
+    const double value = static_cast<double>(x[i]);
+    // The sum has the unit in its last place, so it loses what is less.
+    const double rounded = (value + round) - round;
+    off = rounded != value || !(std::fabs(value) < limit) ? 1.0 : off;
   }
   return off == 0.0;
+}
+
+FF_VECTOR_CLONES
+bool areMultiples(const double* x, int count, double unit)
+{
+  return areMultiplesOf(x, count, unit);
+}
+
+FF_VECTOR_CLONES
+bool areMultiples(const float* x, int count, double unit)
+{
+  return areMultiplesOf(x, count, unit);
 }
 
 /// The largest unit of which more and more coordinates are multiples.
@@ -262,10 +274,21 @@ public:
   /// Does a block of points need no smaller unit? False also where that needs another pass.
   bool holdsBlock(std::uint32_t first) const
   {
+    const void* const packed = this->source.scaleExponent(0) == 0 ? this->source.packed() : nullptr;
+    const std::size_t at = std::size_t(3) * first;
+    if (packed && this->source.scalarType() == ScalarType::Float64)
+    {
+      return areMultiples(static_cast<const double*>(packed) + at, 3 * UnitBlock, this->unit());
+    }
+    if (packed)
+    {
+      return areMultiples(static_cast<const float*>(packed) + at, 3 * UnitBlock, this->unit());
+    }
     double x[3][UnitBlock];
     this->source.load(first, UnitBlock, x[0], x[1], x[2]);
-    return areMultiples(x[0], 1 / this->units[0]) && areMultiples(x[1], 1 / this->units[1]) &&
-      areMultiples(x[2], 1 / this->units[2]);
+    return areMultiples(x[0], UnitBlock, this->units[0]) &&
+      areMultiples(x[1], UnitBlock, this->units[1]) &&
+      areMultiples(x[2], UnitBlock, this->units[2]);
   }
 
 private:
