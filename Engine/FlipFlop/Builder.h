@@ -49,21 +49,29 @@ public:
   static Polyhedron build(
     const BuildTask<Geometry>& task, Polyhedron&& start, Tally& tally, Statistics& statistics)
   {
-    const std::vector<std::uint32_t> ends = lineEnds(task.source, task.checkFinite, task.monitor);
-    if (!ends.empty())
-    {
-      PointSubset subset;
-      subset.ids = ends.data();
-      subset.count = static_cast<std::uint32_t>(ends.size());
-      return hullOfFew(task, std::move(start), subset, true, tally, statistics);
-    }
     const std::vector<std::uint32_t> corners = start.pointIds();
+    First first{ task.geometry, copyOf(start) };
     std::size_t round = task.samples.size();
     while (round > 0 && subsetOf(task, round - 1).count <= FewPoints)
     {
       --round;
     }
-    First first{ task.geometry, copyOf(start) };
+    if (!task.samples.empty())
+    {
+      std::vector<std::uint32_t> ends =
+        lineEnds(task.source, VeryFewLines, task.checkFinite, task.monitor);
+      if (ends.empty() && !(round == 0 && holdsMost(task, start, corners, tally)))
+      {
+        ends = lineEnds(task.source, FewLines, task.checkFinite, task.monitor);
+      }
+      if (!ends.empty())
+      {
+        PointSubset subset;
+        subset.ids = ends.data();
+        subset.count = static_cast<std::uint32_t>(ends.size());
+        return hullOfFew(task, std::move(start), subset, true, tally, statistics);
+      }
+    }
     Polyhedron current = firstHull(task, std::move(start), round, first, tally, statistics);
     std::vector<std::uint32_t> excluded;
     while (round > 0)
@@ -90,6 +98,10 @@ private:
   /// So many are compared with all planes of a polyhedron.
   static constexpr std::uint32_t FewPoints = 1 << 15;
 
+  /// The ends of so few lines are worth a pass over all points; of very few, before anything else.
+  static constexpr std::uint32_t FewLines = 2048;
+  static constexpr std::uint32_t VeryFewLines = 128;
+
   /// What later rounds need of the first.
   struct First
   {
@@ -111,37 +123,57 @@ private:
     return subset;
   }
 
-  /// The hull of the first round's points, from a start that an eighth of them gives.
-  static Polyhedron firstHull(const BuildTask<Geometry>& task, Polyhedron&& start,
-    std::size_t round, First& first, Tally& tally, Statistics& statistics)
+  /// Every eighth of a round's points.
+  static std::vector<std::uint32_t> eighthOf(const PointSubset& all)
   {
-    constexpr std::size_t StartTriangles = 32; // few planes, and most points of a solid inside
-    constexpr std::uint32_t WorthAStart = 2048;
-    const double sharesPower = 4.29; // 8^0.7
-    const PointSubset all = subsetOf(task, round);
-    Polyhedron current = std::move(start);
-    if (round == 0 && all.count <= WorthAStart)
-    {
-      return hullOfFew(task, std::move(current), all, true, tally, statistics);
-    }
     std::vector<std::uint32_t> ids((all.count + 7) / 8);
     for (std::uint32_t i = 0; i < ids.size(); ++i)
     {
       ids[i] = all.idAt(8 * i);
     }
+    return ids;
+  }
+
+  /// Grow the start of few points by quickhull on some of them: few planes, and most points of a
+  /// solid inside.
+  /// @param corners the start's ids
+  /// @return true: so are most of those
+  static bool holdsMost(const BuildTask<Geometry>& task, Polyhedron& start,
+    const std::vector<std::uint32_t>& corners, Tally& tally)
+  {
+    constexpr std::size_t StartTriangles = 32;
+    PointSubset some = subsetOf(task, 0);
+    const std::vector<std::uint32_t> eighth = eighthOf(some);
+    const std::vector<std::uint32_t>& sampled = task.samples.back();
+    std::vector<std::uint32_t> ids;
+    std::set_union(
+      sampled.begin(), sampled.end(), eighth.begin(), eighth.end(), std::back_inserter(ids));
+    some.ids = ids.data();
+    some.count = static_cast<std::uint32_t>(ids.size());
+    some.exclude(corners);
+    const std::int64_t culled = tally.statistics.culled; // these points are compared again
+    quickhull(task, start, some, StartTriangles, tally);
+    const std::int64_t inside = std::exchange(tally.statistics.culled, culled) - culled;
+    return 2 * inside > some.count;
+  }
+
+  /// The hull of the first round's points.
+  static Polyhedron firstHull(const BuildTask<Geometry>& task, Polyhedron&& start,
+    std::size_t round, First& first, Tally& tally, Statistics& statistics)
+  {
+    const PointSubset all = subsetOf(task, round);
+    if (round == 0)
+    {
+      return hullOfFew(task, std::move(start), all, true, tally, statistics);
+    }
+    const double sharesPower = 4.29; // 8^0.7
+    const std::vector<std::uint32_t> ids = eighthOf(all);
     PointSubset eighth = all;
     eighth.ids = ids.data();
     eighth.count = static_cast<std::uint32_t>(ids.size());
     const std::int64_t culled = tally.statistics.culled; // those of the eighth are compared again
-    if (round == 0)
-    {
-      const std::vector<std::uint32_t> corners = current.pointIds();
-      eighth.exclude(corners);
-      quickhull(task, current, eighth, StartTriangles, tally);
-      tally.statistics.culled = culled;
-      return hullOfFew(task, std::move(current), all, true, tally, statistics);
-    }
-    current = compact(hullOfFew(task, std::move(current), eighth, false, tally, statistics));
+    Polyhedron current =
+      compact(hullOfFew(task, std::move(start), eighth, false, tally, statistics));
     tally.statistics.culled = culled;
     const std::uint32_t ofEighth = current.vertexCount();
     current = compact(hullOfFew(task, std::move(current), all, false, tally, statistics));

@@ -301,6 +301,9 @@ public:
 
   bool isWide() const { return this->wide; }
 
+  /// Are the points on a lattice of so few units that doubles hold their determinants?
+  bool isExactInDouble() const { return this->exactInDouble; }
+
   /// Error bound of det[u; v; p - q] for any two input points p, q and differences u, v of input
   /// points.
   double planeError(const double* u, const double* v) const

@@ -103,8 +103,7 @@ private:
   std::uint32_t used = 0;
 };
 
-constexpr std::uint32_t MostLines = 2048;
-constexpr int SlotBits = 12;
+constexpr int SlotBits = 12; // twice as many slots as lines
 
 /// Are the points of a sample on so few lines along an axis, and few of them alone on one?
 /// @param bits of the number of slots, more than @p most
@@ -112,8 +111,9 @@ bool hasFewLines(const PointSource& source, int axis, bool checkFinite, std::uin
   std::uint32_t most, std::uint32_t mostSingles, int bits)
 {
   Lines lines(axis, bits);
-  for (const std::uint32_t id : sample(source.count(), sampled))
+  for (std::uint32_t i = 0; i < sampled; ++i)
   {
+    const std::uint32_t id = sampledIndex(source.count(), sampled, i);
     double x[3];
     source.load(id, x);
     if (!checkFinite || isFinite(x))
@@ -130,28 +130,29 @@ bool hasFewLines(const PointSource& source, int axis, bool checkFinite, std::uin
 
 /// Most inputs show at a look that no two of 64 points are on one. In the last look, the share of
 /// single points is the share of lines that the sample has not met.
-bool hasFewLines(const PointSource& source, int axis, bool checkFinite)
+bool hasFewLines(const PointSource& source, int axis, bool checkFinite, std::uint32_t most)
 {
   const std::uint32_t many = std::min(4096u, source.count() / 4);
   return hasFewLines(source, axis, checkFinite, 64, 63, 64, 7) &&
-    hasFewLines(source, axis, checkFinite, 1024, 683, 1024, 10) &&
-    hasFewLines(source, axis, checkFinite, many, MostLines, many / 24, SlotBits);
+    hasFewLines(source, axis, checkFinite, 1024, std::min(683u, most), 1024, 10) &&
+    hasFewLines(source, axis, checkFinite, many, most, many / 24, SlotBits);
 }
 
 }
 
-std::vector<std::uint32_t> lineEnds(const PointSource& source, bool checkFinite, Monitor& monitor)
+std::vector<std::uint32_t> lineEnds(
+  const PointSource& source, std::uint32_t most, bool checkFinite, Monitor& monitor)
 {
   constexpr std::uint32_t Least = 4096; // points
   StepPoll poll(monitor);
   for (int axis = 2; axis >= 0 && source.count() >= Least; --axis)
   {
-    if (!hasFewLines(source, axis, checkFinite))
+    if (!hasFewLines(source, axis, checkFinite, most))
     {
       continue;
     }
     Lines lines(axis, SlotBits);
-    for (std::uint32_t id = 0; id < source.count() && lines.count() <= MostLines; ++id)
+    for (std::uint32_t id = 0; id < source.count() && lines.count() <= most; ++id)
     {
       poll.step();
       double x[3];
@@ -161,7 +162,7 @@ std::vector<std::uint32_t> lineEnds(const PointSource& source, bool checkFinite,
         lines.add(x, id);
       }
     }
-    if (lines.count() <= MostLines)
+    if (lines.count() <= most)
     {
       return lines.ends();
     }

@@ -17,7 +17,9 @@ namespace flipflop
 
 /// The ends of the lines that the points are on, by the lowest ids; ascending. Empty where a sample
 /// shows many lines along each axis.
-std::vector<std::uint32_t> lineEnds(const PointSource& source, bool checkFinite, Monitor& monitor);
+/// @param most lines, up to 2048
+std::vector<std::uint32_t> lineEnds(
+  const PointSource& source, std::uint32_t most, bool checkFinite, Monitor& monitor);
 
 }
 

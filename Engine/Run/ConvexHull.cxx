@@ -10,6 +10,7 @@
 #include "Geometry/HullCones.h"
 #include "Geometry/HullLocator.h"
 #include "Geometry/HullStart.h"
+#include "Points/BoxCorners.h"
 #include "Run/HullRun.h"
 #include "Run/LowDimensionalHull.h"
 #include "Support/EngineCall.h"
@@ -48,7 +49,12 @@ void HullRun::computeSteps(PolyhedronBuilder<HullGeometry>& builder, Hull& hull)
   {
     return;
   }
-  const Samples samples = nestedSamples(this->source.count());
+  Samples samples = nestedSamples(this->source.count());
+  if (this->geometry.isExactInDouble() && !this->checkFinite && !samples.empty())
+  {
+    // Grids mostly fill a box.
+    addToSamples(samples, boxCorners(this->source, this->monitor));
+  }
   const Span span =
     findSpan(this->geometry, this->source, samples, 3, this->checkFinite, this->monitor);
   hull.statistics.secondsScan = this->watch.lap();
