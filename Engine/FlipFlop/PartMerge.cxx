@@ -51,6 +51,7 @@ void PartMerge<Geometry>::addTo(Tally& tally) const
   tally.statistics.flips31 += this->hidden;
   tally.statistics.flipsV += this->flips + this->hidden;
   tally.statistics.edgeChecks += this->checks;
+  tally.statistics.moves += this->walked;
 }
 
 /// In the plane, from the vertices that face each other: count the edges up to the upper common
@@ -248,7 +249,7 @@ typename PartMerge<Geometry>::Candidate PartMerge<Geometry>::candidate(Shore& sh
     const std::uint32_t apex = this->mesh.origin(previousHalfEdge(inner));
     if (apex == VirtualSlot)
     {
-      if (found.isAbove && !this->losesBeyond(shore, inner, found))
+      if (!Hides || (found.isAbove && !this->losesBeyond(shore, inner, found)))
       {
         return found;
       }
@@ -276,20 +277,22 @@ bool PartMerge<Geometry>::isPassed(const Shore& shore, std::uint32_t vertex)
 }
 
 /// The border passes both sides of the next edge, whose far end is above the seam's last edge. Does
-/// it lose to the next neighbour of the near end, where the border comes back to that?
+/// it lose to the next neighbour of the near end, where the border comes back to that? The way
+/// there is long on a curve, whose edges nearly all hang on one another: it is walked last.
 /// @param inner the edge's half-edge on the way back
 template <class Geometry>
 bool PartMerge<Geometry>::losesBeyond(
   const Shore& shore, std::uint32_t inner, const Candidate& found)
 {
   const std::uint32_t next = this->upper(shore, this->onward(shore, previousHalfEdge(inner)));
-  return this->orient(this->left.vertex, this->right.vertex, next) > 0 &&
-    this->inCircle(found, next) > 0 && this->edgesUntil(shore, inner) < shore.edges;
+  return next != (shore.isLeft ? this->right : this->left).vertex &&
+    this->orient(this->left.vertex, this->right.vertex, next) > 0 &&
+    this->inCircle(found, next) > 0 && shore.edges > this->edgesUntil(shore, inner);
 }
 
 /// How many edges there are from the next one to the one of @p inner, both counted.
 template <class Geometry>
-std::uint32_t PartMerge<Geometry>::edgesUntil(const Shore& shore, std::uint32_t inner) const
+std::uint32_t PartMerge<Geometry>::edgesUntil(const Shore& shore, std::uint32_t inner)
 {
   std::uint32_t edges = 1;
   for (std::uint32_t s = shore.spoke; edges <= shore.edges && triangleOf(s) != triangleOf(inner);
@@ -297,6 +300,7 @@ std::uint32_t PartMerge<Geometry>::edgesUntil(const Shore& shore, std::uint32_t 
   {
     s = this->onward(shore, s);
   }
+  this->walked += edges;
   return edges;
 }
 

@@ -139,7 +139,7 @@ protected:
   Candidate candidate(Shore& shore);
   bool isPassed(const Shore& shore, std::uint32_t vertex);
   bool losesBeyond(const Shore& shore, std::uint32_t inner, const Candidate& found);
-  std::uint32_t edgesUntil(const Shore& shore, std::uint32_t inner) const;
+  std::uint32_t edgesUntil(const Shore& shore, std::uint32_t inner);
   void hideBeyond(Shore& shore, std::uint32_t inner);
   void uncover(Shore& shore, std::uint32_t inner);
   void reach(Shore& shore, const Candidate& next);
@@ -205,6 +205,7 @@ protected:
   std::int64_t flips = 0;
   std::int64_t hidden = 0;
   std::int64_t checks = 0;
+  std::int64_t walked = 0;
   std::int64_t ties = 0;
 };
 

@@ -154,6 +154,21 @@ TEST(WorkOn, CurvesOfManyPointsAreInserted)
   EXPECT_LT(s.moves, 12 * s.points);
 }
 
+/// Where the border passes both sides of an edge, a merge asks what hangs on it: on a curve, all of
+/// the part's rest.
+TEST(WorkOn, MergesOfACurveIsLittle)
+{
+  const PointsPerThread here(UsualPointsPerThread);
+  Cloud cloud = makeCloud("parabola", true, Large, 1);
+  Random random(1);
+  for (Point& p : cloud)
+  {
+    p[2] = random.uniform(0, 1e-12);
+  }
+  // In edges from the near end each time, 46,000 for a point.
+  EXPECT_LT(statisticsOf(regularTriangulations, cloud).moves, 12 * Large);
+}
+
 /// Parts are as large as users have them, not as small as the other tests make them.
 TEST(PartsAsUsersHaveThem, ThreadsAddNoWork)
 {
