@@ -167,7 +167,82 @@ FF_HD FF_OUTLINED inline bool fixedOrient3(
   return true;
 }
 
-/// The same with heights w - x^2 - y^2 for the last column.
+/// The plane of three points, for many queries.
+class FixedPlane
+{
+public:
+  FixedPlane() = default;
+
+  FixedPlane(const double* a, const double* b, const double* c)
+    : most(4 * largestMagnitude(a, b, c))
+    , unit(2 * this->most)
+  {
+    std::int64_t u[3], v[3], w[3];
+    this->known = this->convert(a, u) && this->convert(b, v) && this->convert(c, w);
+    for (int i = 0; this->known && i < 3; ++i)
+    {
+      const int j = (i + 1) % 3;
+      const int k = (i + 2) % 3;
+      this->origin[i] = u[i];
+      const Int128 n = static_cast<Int128>(v[j] - u[j]) * (w[k] - u[k]) -
+        static_cast<Int128>(v[k] - u[k]) * (w[j] - u[j]);
+      this->low[i] = static_cast<std::uint64_t>(n);
+      this->high[i] = static_cast<std::int64_t>(n >> 64);
+    }
+  }
+
+  /// Is p on the plane? False also where that cannot be decided so.
+  bool contains(const double* p) const
+  {
+    std::int64_t x[3];
+    if (!this->known || !this->convert(p, x))
+    {
+      return false;
+    }
+    Int128 lowSum = 0, highSum = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const std::int64_t offset = x[i] - this->origin[i];
+      lowSum += static_cast<Int128>(this->low[i]) * offset;
+      highSum += static_cast<Int128>(this->high[i]) * offset;
+    }
+    return static_cast<std::uint64_t>(lowSum) == 0 && highSum + (lowSum >> 64) == 0;
+  }
+
+private:
+  static double largestMagnitude(const double* a, const double* b, const double* c)
+  {
+    double largest = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      largest =
+        std::fmax(largest, std::fmax(std::fabs(a[i]), std::fmax(std::fabs(b[i]), std::fabs(c[i]))));
+    }
+    return largest;
+  }
+
+  /// Below 2^60: then offsets are below 2^61, the normal below 2^123, and each sum below 2^127.
+  bool convert(const double* p, std::int64_t* result) const
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      if (!(std::fabs(p[i]) < this->most && this->unit.convert(p[i], result[i])))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  double most = 0; ///< other points are below
+  FixedUnit unit{ 0 };
+  std::int64_t origin[3];
+  std::uint64_t low[3]; ///< of the normal
+  std::int64_t high[3];
+  bool known = false;
+};
+
+/// fixedOrient3() with heights w - x^2 - y^2 for the last column.
 template <bool Weighted>
 FF_HD FF_OUTLINED bool fixedLiftedOrient3(
   const double* a, const double* b, const double* c, const double* d, int& sign)
@@ -212,6 +287,14 @@ FF_HD FF_OUTLINED bool fixedLiftedOrient3(
 }
 
 #else
+
+class FixedPlane
+{
+public:
+  FixedPlane() = default;
+  FixedPlane(const double*, const double*, const double*) {}
+  bool contains(const double*) const { return false; }
+};
 
 FF_HD inline bool fixedOrient3(const double*, const double*, const double*, const double*, int&)
 {

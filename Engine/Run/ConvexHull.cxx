@@ -55,8 +55,13 @@ void HullRun::computeSteps(PolyhedronBuilder<HullGeometry>& builder, Hull& hull)
     // Grids mostly fill a box.
     addToSamples(samples, boxCorners(this->source, this->monitor));
   }
+  int most = 0; // dimensions: there are none more than the box has
+  for (int i = 0; i < 3; ++i)
+  {
+    most += this->range.high[i] > this->range.low[i] ? 1 : 0;
+  }
   const Span span =
-    findSpan(this->geometry, this->source, samples, 3, this->checkFinite, this->monitor);
+    findSpan(this->geometry, this->source, samples, most, this->checkFinite, this->monitor);
   hull.statistics.secondsScan = this->watch.lap();
   if (span.dimension < 3)
   {

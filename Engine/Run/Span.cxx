@@ -4,6 +4,7 @@
 
 #include "Geometry/HullGeometry.h"
 #include "Points/Vector3.h"
+#include "Predicates/FixedSigns.h"
 #include "Support/Parallel.h"
 
 #include <cmath>
@@ -72,6 +73,10 @@ private:
       this->span.ids[this->span.dimension] = bestVertex.id;
       this->corner[this->span.dimension] = bestVertex;
       this->edge[this->span.dimension] = subtract(bestVertex.x, this->corner[0].x);
+      if (this->span.dimension == 2)
+      {
+        this->plane = FixedPlane(this->corner[0].x, this->corner[1].x, this->corner[2].x);
+      }
     }
     return found;
   }
@@ -94,7 +99,8 @@ private:
       case 1:
         return !this->geometry.collinear(this->corner[0], this->corner[1], p);
       default:
-        return this->geometry.above(this->corner[0], this->corner[1], this->corner[2], p) != 0;
+        return !this->plane.contains(p.x) &&
+          this->geometry.above(this->corner[0], this->corner[1], this->corner[2], p) != 0;
     }
   }
 
@@ -125,6 +131,7 @@ private:
   Monitor& monitor;
   Vertex corner[4] = {};
   Vector3 edge[4] = {}; ///< from the first corner
+  FixedPlane plane;     ///< of the first three
 };
 
 }

@@ -86,6 +86,33 @@ bool checkLifted(Points v)
 
 #if FLIPFLOP_HAS_FIXED_SIGNS
 
+TEST(FixedSigns, PlanesContainExactlyTheirPoints)
+{
+  SCOPED_TRACE(Seed);
+  std::mt19937_64 random(Seed);
+  int contained = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    // z = x + y in units of 2^-bits, and some a unit beside.
+    const int bits = 1 + below(random, 52);
+    Points v;
+    for (Vertex& p : v)
+    {
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        const auto units = static_cast<double>(random() >> (65 - bits));
+        p.x[axis] = std::ldexp(random() % 2 ? units : -units, -bits);
+      }
+      p.x[2] = p.x[0] + p.x[1] + (random() % 8 ? 0.0 : std::ldexp(1.0, -bits));
+    }
+    const FixedPlane plane(v[0].x, v[1].x, v[2].x);
+    const bool holds = plane.contains(v[3].x);
+    contained += holds ? 1 : 0;
+    ASSERT_TRUE(!holds || exactAbove(v[0], v[1], v[2], v[3]) == 0) << "case " << i;
+  }
+  EXPECT_GT(contained, 5000);
+}
+
 TEST(FixedSigns, SumsAreExact)
 {
   SCOPED_TRACE(Seed);
