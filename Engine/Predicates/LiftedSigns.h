@@ -55,6 +55,10 @@ struct LiftedSigns
     }
     const double* const d = c.point[0];
     const int axis = p < 2 ? p : q;
+    if (a[axis] == b[axis] && a[axis] == d[axis])
+    {
+      return 0; // seen along a line that they are on
+    }
     double error1, error2;
     const DoubleDouble height1 = roundedHeight(b, a, error1);
     const DoubleDouble height2 = roundedHeight(d, a, error2);
