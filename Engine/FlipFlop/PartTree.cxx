@@ -252,15 +252,8 @@ PartTree<AnyVertex> cutIntoParts(const PointSource& source, const PointSubset& s
     return tree;
   }
   Buffer<std::uint32_t> ids;
-  parallelCompact(
-    subset.count, PointsPerTask,
-    [&](std::size_t begin, std::size_t end, const auto& emit)
-    {
-      monitor.poll();
-      subset.eachWanted(
-        source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), emit);
-    },
-    [&](std::size_t wanted) { ids.allocate(wanted); },
+  compactWanted(
+    source, subset, monitor, [&](std::size_t wanted) { ids.allocate(wanted); },
     [&](std::size_t at, std::uint32_t id) { ids[at] = id; });
   tree.vertices.allocate(ids.size() + 1);
   cutter.cutAll(curve, [&](std::uint32_t i) { return vertexOf(ids[i]); });

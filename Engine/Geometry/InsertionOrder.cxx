@@ -165,15 +165,8 @@ Buffer<Keyed> sortedAlongCurve(const PointSource& source, const PointSubset& sub
   const OctahedralMap& octahedral, Monitor& monitor)
 {
   Buffer<Keyed> keyed;
-  parallelCompact(
-    subset.count, PointsPerTask,
-    [&](std::size_t begin, std::size_t end, const auto& emit)
-    {
-      monitor.poll();
-      subset.eachWanted(
-        source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), emit);
-    },
-    [&](std::size_t wanted) { keyed.allocate(wanted); },
+  compactWanted(
+    source, subset, monitor, [&](std::size_t wanted) { keyed.allocate(wanted); },
     [&](std::size_t at, std::uint32_t id) { keyed[at].id = id; });
   Sorter(source, octahedral, monitor).sort(keyed.data(), keyed.size());
   return keyed;

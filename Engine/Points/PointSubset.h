@@ -7,8 +7,10 @@
 
 #include "Points/PointSource.h"
 #include "Support/Monitor.h"
+#include "Support/Parallel.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -72,6 +74,26 @@ struct PointSubset
     }
   }
 };
+
+/// The ids of a subset's wanted points, ascending, by several threads.
+/// @param allocate void (count): there are so many
+/// @param write    void (index, id)
+/// @throw Error Aborted
+template <class Allocate, class Write>
+void compactWanted(const PointSource& source, const PointSubset& subset, Monitor& monitor,
+  const Allocate& allocate, const Write& write)
+{
+  constexpr std::size_t PointsPerTask = 1 << 15;
+  parallelCompact(
+    subset.count, PointsPerTask,
+    [&](std::size_t begin, std::size_t end, const auto& emit)
+    {
+      monitor.poll();
+      subset.eachWanted(
+        source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), emit);
+    },
+    allocate, write);
+}
 
 /// use(vertex) for every point, or every finite one.
 template <class Use>
