@@ -3,7 +3,9 @@
 /// @file
 /// Hulls by parts of 1 to 100 points: after the last merge, the mesh is closed, each twin's twin is
 /// the half-edge, every edge is convex by perturbed signs, the kernel point sees every triangle,
-/// and no point is above. The finish does not look at all of that, so a right result is no proof.
+/// and, of up to a thousand, no point is above. The finish does not look at all of that, so a right
+/// result is no proof.
+#include "FlipFlop/Part.h"
 #include "FlipFlop/PartsBuilder.h"
 #include "Geometry/HullStart.h"
 #include "Points/Samples.h"
@@ -13,6 +15,7 @@
 #include "Testing/Engine/Conformance/RandomCases.h"
 #include "Testing/Engine/Inputs/InputsInUse.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -101,6 +104,11 @@ private:
         }
       }
     }
+    constexpr std::uint32_t Few = 1000; // each of their planes is compared with each point
+    if (whole.vertexCount() <= Few && this->anyIsAbove(whole))
+    {
+      result = "a point is above";
+    }
     std::int64_t vertices = 0;
     for (std::uint32_t v = 0; v < whole.vertexCount(); ++v)
     {
@@ -112,6 +120,35 @@ private:
       }
     }
     return triangles != 2 * vertices - 4 ? "not closed" : result;
+  }
+
+  /// Is a point that is no vertex strictly outside? Those that parts left out may be.
+  bool anyIsAbove(Polyhedron& whole) const
+  {
+    const Mesh mesh = whole.mesh();
+    for (std::uint32_t v = 0; v < whole.vertexCount(); ++v)
+    {
+      const Vertex& p = mesh.vertices[v];
+      if ((p.flags & VertexAlive) != 0 || v == VirtualSlot ||
+        std::binary_search(this->out.begin(), this->out.end(), p.id))
+      {
+        continue;
+      }
+      for (const Piece& piece : whole.pieces)
+      {
+        for (std::uint32_t t = piece.begin; t < piece.end; ++t)
+        {
+          const std::uint32_t* const corner = mesh.triangles[t].v;
+          if (!mesh.isDead(t) &&
+            this->geometry.above(
+              mesh.vertices[corner[0]], mesh.vertices[corner[1]], mesh.vertices[corner[2]], p) > 0)
+          {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
   }
 
   std::vector<std::uint32_t> out;
