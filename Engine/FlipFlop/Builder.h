@@ -59,8 +59,8 @@ public:
     if (!task.samples.empty())
     {
       std::vector<std::uint32_t> ends =
-        lineEnds(task.source, VeryFewLines, task.checkFinite, task.monitor);
-      if (ends.empty() && !(round == 0 && holdsMost(task, start, corners, tally)))
+        lineEnds(task.source, round > 0 ? FewLines : VeryFewLines, task.checkFinite, task.monitor);
+      if (round == 0 && ends.empty() && !holdsMost(task, start, corners, tally))
       {
         ends = lineEnds(task.source, FewLines, task.checkFinite, task.monitor);
       }
@@ -98,7 +98,8 @@ private:
   /// So many are compared with all planes of a polyhedron.
   static constexpr std::uint32_t FewPoints = 1 << 15;
 
-  /// The ends of so few lines are worth a pass over all points; of very few, before anything else.
+  /// The ends of so few lines are worth a pass over all points. In a round of few points, the start
+  /// may hold most of them already: it is grown first, unless there are very few lines.
   static constexpr std::uint32_t FewLines = 2048;
   static constexpr std::uint32_t VeryFewLines = 128;
 
