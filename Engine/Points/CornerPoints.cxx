@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Points/BoxCorners.h"
+#include "Points/CornerPoints.h"
 
 #include "Support/Parallel.h"
 #include "Support/VectorClones.h"
@@ -97,7 +97,7 @@ struct Furthest
 
 }
 
-std::vector<std::uint32_t> boxCorners(const PointSource& source, Monitor& monitor)
+std::vector<std::uint32_t> cornerPoints(const PointSource& source, Monitor& monitor)
 {
   constexpr std::size_t PointsPerTask = std::size_t(1) << 16;
   std::mutex mutex;

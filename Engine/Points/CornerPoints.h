@@ -3,8 +3,8 @@
 /// @file
 /// The points nearest to the corners of a bounding box, in the sum of their coordinates: of boxes
 /// and grids they are the corners.
-#ifndef flipflop_BoxCorners_h
-#define flipflop_BoxCorners_h
+#ifndef flipflop_CornerPoints_h
+#define flipflop_CornerPoints_h
 
 #include "Points/PointSource.h"
 #include "Support/Monitor.h"
@@ -17,7 +17,7 @@ namespace flipflop
 
 /// For each of the eight corners the lowest id of the furthest points: ascending ids.
 /// @param source finite points
-std::vector<std::uint32_t> boxCorners(const PointSource& source, Monitor& monitor);
+std::vector<std::uint32_t> cornerPoints(const PointSource& source, Monitor& monitor);
 
 }
 

@@ -10,7 +10,7 @@
 #include "Geometry/HullCones.h"
 #include "Geometry/HullLocator.h"
 #include "Geometry/HullStart.h"
-#include "Points/BoxCorners.h"
+#include "Points/CornerPoints.h"
 #include "Run/HullRun.h"
 #include "Run/LowDimensionalHull.h"
 #include "Support/EngineCall.h"
@@ -53,7 +53,7 @@ void HullRun::computeSteps(PolyhedronBuilder<HullGeometry>& builder, Hull& hull)
   if (this->geometry.isExactInDouble() && !this->checkFinite && !samples.empty())
   {
     // Grids mostly fill a box.
-    addToSamples(samples, boxCorners(this->source, this->monitor));
+    addToSamples(samples, cornerPoints(this->source, this->monitor));
   }
   int most = 0; // dimensions: there are none more than the box has
   for (int i = 0; i < 3; ++i)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The points nearest to the corners of a box: as one after another finds them, on any threads.
-#include "Points/BoxCorners.h"
+#include "Points/CornerPoints.h"
 #include "Support/Threads.h"
 #include "Testing/Engine/Conformance/Compare.h"
 #include "Testing/Engine/Inputs/Inputs.h"
@@ -23,7 +23,7 @@ std::vector<std::uint32_t> cornersOf(const Cloud& cloud, int threads)
   Monitor monitor(options);
   std::vector<std::uint32_t> ids;
   ArenaLoan arena(threads);
-  arena.execute([&] { ids = boxCorners(PointSource(viewOf(cloud)), monitor); });
+  arena.execute([&] { ids = cornerPoints(PointSource(viewOf(cloud)), monitor); });
   return ids;
 }
 
@@ -47,7 +47,7 @@ std::vector<std::uint32_t> expectedCorners(const Cloud& cloud)
 
 }
 
-TEST(BoxCorners, AreTheLowestIdsOfTheFurthest)
+TEST(CornerPoints, AreTheLowestIdsOfTheFurthest)
 {
   Random random(5);
   for (const int count : { 1, 3, 255, 256, 257, 1000, 70000, 200000 })
