@@ -90,7 +90,7 @@ double OctahedralMap::mapDirection(const double* x, double* uv) const
   const bool isInRange = terms > ShareFloor && terms < ShareCeiling;
   const double error = isInRange ? ShareError * (terms * factor) + ShareError
                                  : std::numeric_limits<double>::infinity();
-  // The third share is no coordinate, but its sign tells faces apart.
+  // The third share is no coordinate, but its sign distinguishes faces.
   return share[2] > error ? error : std::numeric_limits<double>::infinity();
 }
 

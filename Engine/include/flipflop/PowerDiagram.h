@@ -27,14 +27,13 @@ namespace flipflop
 /// These are effects of rounding: True cells are convex, but a corner of a rounded cell may turn
 /// right by as much as rounding explains. Corners that round to one position are one. If an edge
 /// meets a side of the box, and its other end rounds to that side, that end is its only corner
-/// there. If a corner
-/// turns right, and ends an edge of at most four units (in the last place of the greater
-/// coordinate), the two ends are merged. A corner moves no further than that, and corners of the
-/// box stay. If a cell still crosses itself, such as the tip of a needle thinner than a unit, a
-/// neighbour gets some of its corners, or the whole cell. A cell without an inside is omitted. (No
-/// cell reached further than 8 units beyond its true border in a million cells of nearly
-/// cocircular, collinear and gridded sites; the tests allow 16.) If all rounded cells are convex,
-/// nothing is merged, cut or joined.
+/// there. If a corner turns right, and ends an edge of at most four units (in the last place of the
+/// greater coordinate), the two ends are merged. A corner moves no further than that, and corners
+/// of the box stay. If a cell still crosses itself, such as the tip of a needle thinner than a
+/// unit, a neighbour gets some of its corners, or the whole cell. A cell without an inside is
+/// omitted. (No cell reached further than 8 units beyond its true border in a million cells of
+/// nearly cocircular, collinear and gridded sites; the tests allow 16.) If all rounded cells are
+/// convex, nothing is merged, cut or joined.
 ///
 /// A cell starts at the corner of its site's lowest facet (at the border of the triangulation: of
 /// the first facet counter-clockwise). If the box cuts that off, the start moves along the border
