@@ -99,8 +99,10 @@ Located locateFrom(const Geometry& geometry, const Mesh& mesh, std::uint32_t t, 
     const Triangle& triangle = mesh.triangles[at];
     const Vertex* const corner[3] = { mesh.vertices + triangle.v[0], mesh.vertices + triangle.v[1],
       mesh.vertices + triangle.v[2] };
+    // By turns to the left and to the right: of a fan of slivers, each leads to the next one on the
+    // same side, and out of the fan on the other.
+    int i = entry == NoSide ? 0 : steps % 2 == 0 ? nextCorner(entry) : previousCorner(entry);
     // From outside first back in: around the border the way is long.
-    int i = 0;
     for (int k = 0; k < 3; ++k)
     {
       i = corner[k]->flags & VertexVirtual ? nextCorner(k) : i;

@@ -83,7 +83,7 @@ constexpr double RoundedDeterminantError = 0x1p-98;
 /// rounded-lifted-determinant: the power test in double-double, against the product of its columns'
 /// largest entries, of positions from the floor on.
 /// @{
-constexpr double RoundedLiftedError = 0x1p-98;
+constexpr double RoundedLiftedError = 0x1p-96;
 constexpr double RoundedLiftedFloor = 0x1p-232;
 /// @}
 

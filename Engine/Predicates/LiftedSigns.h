@@ -55,6 +55,10 @@ struct LiftedSigns
     }
     const double* const d = c.point[0];
     const int axis = p < 2 ? p : q;
+    if (a[axis] == b[axis] && a[axis] == d[axis])
+    {
+      return 0; // seen along a line that they are on
+    }
     double error1, error2;
     const DoubleDouble height1 = roundedHeight(b, a, error1);
     const DoubleDouble height2 = roundedHeight(d, a, error2);
@@ -143,13 +147,14 @@ private:
     {
       u[i][0] = doubleDifference(row[i][0], a[0]);
       u[i][1] = doubleDifference(row[i][1], a[1]);
-      const DoubleDouble square = u[i][0] * u[i][0] + u[i][1] * u[i][1];
+      const DoubleDouble square =
+        looseSum(looseProduct(u[i][0], u[i][0]), looseProduct(u[i][1], u[i][1]));
       u[i][2] = DoubleDouble{ -square.high, -square.low };
       double height = square.high;
       if (Weighted)
       {
         const DoubleDouble weight = doubleDifference(row[i][2], a[2]);
-        u[i][2] = u[i][2] + weight;
+        u[i][2] = looseSum(u[i][2], weight);
         height += std::fabs(weight.high);
       }
       size[0] = std::fmax(size[0], std::fabs(u[i][0].high));
@@ -162,11 +167,15 @@ private:
     {
       return 0;
     }
-    const DoubleDouble det = (u[0][0] * u[1][1] - u[0][1] * u[1][0]) * u[2][2] +
-      (u[1][0] * u[2][1] - u[1][1] * u[2][0]) * u[0][2] +
-      (u[2][0] * u[0][1] - u[2][1] * u[0][0]) * u[1][2];
+    const auto term = [&u](int i, int j, int k)
+    {
+      return looseProduct(
+        looseDifference(looseProduct(u[i][0], u[j][1]), looseProduct(u[i][1], u[j][0])), u[k][2]);
+    };
+    const DoubleDouble det = looseSum(looseSum(term(0, 1, 2), term(1, 2, 0)), term(2, 0, 1));
+    const double value = det.high + det.low;
     const double bound = size[0] * size[1] * size[2] * RoundedLiftedError;
-    return det.high > bound ? 1 : (det.high < -bound ? -1 : 0);
+    return value > bound ? 1 : (value < -bound ? -1 : 0);
   }
 };
 
