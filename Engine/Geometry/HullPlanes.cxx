@@ -92,17 +92,15 @@ void HullPlanes::add(const HullGeometry& geometry, const Vertex& a, const Vertex
 namespace
 {
 
-/// So many doubles in a vector unit. Written as a loop, the comparison becomes a branch that is
-/// mispredicted.
-template <int Width>
-struct VectorUnit
-{
+// As many doubles as a vector unit has. Written as a loop, the comparison becomes a branch that is
+// mispredicted. (g++ ignores a vector's size that depends on a template parameter.)
 #if defined(__GNUC__)
-  using Doubles = double __attribute__((vector_size(Width * sizeof(double))));
+using TwoDoubles = double __attribute__((vector_size(2 * sizeof(double))));
+using FourDoubles = double __attribute__((vector_size(4 * sizeof(double))));
+using EightDoubles = double __attribute__((vector_size(8 * sizeof(double))));
 #else
-  using Doubles = double;
+using TwoDoubles = double;
 #endif
-};
 
 /// What HullPlanes::highest() is called for.
 struct Comparison
@@ -114,11 +112,10 @@ struct Comparison
   double* plane;
 };
 
-/// @tparam Width of the vector unit that there is: g++ copies wider vectors through memory
-template <int Width>
+/// @tparam Several of the vector unit that there is: g++ copies wider vectors through memory
+template <class Several>
 FF_INLINE void compareBy(const Comparison& work)
 {
-  using Several = typename VectorUnit<Width>::Doubles;
   constexpr int Step = 2 * sizeof(Several) / sizeof(double);
   static_assert(HullPlanes::Lanes % Step == 0);
   for (int begin = 0; begin < work.count; begin += Step)
@@ -152,17 +149,17 @@ FF_INLINE void compareBy(const Comparison& work)
 #if defined(FF_VECTOR_TARGETS)
 __attribute__((target("arch=x86-64-v4"))) void compare(const Comparison& work)
 {
-  compareBy<8>(work);
+  compareBy<EightDoubles>(work);
 }
 __attribute__((target("arch=x86-64-v3"))) void compare(const Comparison& work)
 {
-  compareBy<4>(work);
+  compareBy<FourDoubles>(work);
 }
 __attribute__((target("default")))
 #endif
 void compare(const Comparison& work)
 {
-  compareBy<2>(work);
+  compareBy<TwoDoubles>(work);
 }
 
 }
