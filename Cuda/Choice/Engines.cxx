@@ -89,13 +89,13 @@ Triangulation regularTriangulation(const PointView& points, const WeightView& we
   return engineCall(
     [&]
     {
-      return withOrWithoutWeights(weights,
-        [&](auto weighted)
+      return withOrWithoutWeights(points, weights,
+        [&](auto weighted, const WeightView& thatMatter)
         {
           // By its type: GCC 16 takes the name for a use of the parameter in the lambda below.
           using Run = TriangulationRun<decltype(weighted)::value>;
           return runEngine<typename Run::Geometry>(engine, points.count, report,
-            [&] { return std::make_unique<Run>(points, weights, options); });
+            [&] { return std::make_unique<Run>(points, thatMatter, options); });
         });
     });
 }

@@ -39,11 +39,11 @@ Span spanOf(BlockShape shape, const std::vector<BlockSite>& sites, const Options
       });
     return span;
   }
-  return withOrWithoutWeights(weightsOf(shape, sites),
-    [&](auto weighted)
+  return withOrWithoutWeights(points, weightsOf(shape, sites),
+    [&](auto weighted, const WeightView& weights)
     {
       Span span;
-      TriangulationRun<weighted> run(points, weightsOf(shape, sites), options);
+      TriangulationRun<weighted> run(points, weights, options);
       run.template execute<Triangulation>(
         [&](Triangulation& triangulation)
         {

@@ -15,6 +15,7 @@
 #include "Support/EngineCall.h"
 #include "Support/Parallel.h"
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <variant>
@@ -28,14 +29,44 @@ Triangulation regularTriangulation(
   return engineCall(
     [&]
     {
-      return withOrWithoutWeights(weights,
-        [&](auto weighted)
+      return withOrWithoutWeights(points, weights,
+        [&](auto weighted, const WeightView& thatMatter)
         {
-          TriangulationRun<weighted> run(points, weights, options);
+          TriangulationRun<weighted> run(points, thatMatter, options);
           CpuBuilder<LiftedGeometry<weighted>> builder;
           return run.compute(builder);
         });
     });
+}
+
+namespace
+{
+
+template <class T>
+bool anyDiffers(const WeightView& weights)
+{
+  const T* const w = static_cast<const T*>(weights.data);
+  std::int64_t i = 0;
+  while (i < weights.count && std::isfinite(w[i * weights.stride]) && w[i * weights.stride] == w[0])
+  {
+    ++i;
+  }
+  return i < weights.count;
+}
+
+}
+
+bool matter(const WeightView& weights, std::int64_t pointCount)
+{
+  if (!weights.data && weights.count == 0)
+  {
+    return false;
+  }
+  const bool valid =
+    weights.data && weights.stride > 0 && weights.count == pointCount && pointCount < NoIndex;
+  return !valid ||
+    (weights.type == ScalarType::Float32 ? anyDiffers<float>(weights)
+                                         : anyDiffers<double>(weights));
 }
 
 template <bool Weighted>

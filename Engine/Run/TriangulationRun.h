@@ -19,12 +19,17 @@
 namespace flipflop
 {
 
-/// use (std::bool_constant): with true where there are weights. Without, their geometry is another,
-/// which does not pay for them.
+/// Are there weights that are not all one finite number? Only these change a triangulation. A view
+/// that is at fault matters, too: the run says what is.
+bool matter(const WeightView& weights, std::int64_t pointCount);
+
+/// use (std::bool_constant, WeightView): with true and the weights where they matter. Without,
+/// their geometry is another, which does not pay for them.
 template <class Use>
-auto withOrWithoutWeights(const WeightView& weights, Use&& use)
+auto withOrWithoutWeights(const PointView& points, const WeightView& weights, Use&& use)
 {
-  return weights.data ? use(std::true_type()) : use(std::false_type());
+  return matter(weights, points.count) ? use(std::true_type(), weights)
+                                       : use(std::false_type(), WeightView());
 }
 
 /// @tparam Weighted false: there are no weights

@@ -169,6 +169,28 @@ TEST(WorkOn, MergesOfACurveIsLittle)
   EXPECT_LT(statisticsOf(regularTriangulations, cloud).moves, 12 * Large);
 }
 
+/// One weight for all changes no triangulation.
+TEST(WorkOn, OneWeightIsThatOnNone)
+{
+  const Cloud cloud = makeCloud("grid", true, Large, 1);
+  const Triangulation none = regularTriangulation(viewOf(cloud));
+  const std::vector<float> floats(cloud.size(), 7);
+  std::vector<double> doubles(cloud.size(), -1e200);
+  const auto count = static_cast<std::int64_t>(cloud.size());
+  const WeightView all(doubles.data(), count);
+  for (const WeightView& one : { WeightView(floats.data(), count), all })
+  {
+    const Triangulation found = regularTriangulation(viewOf(cloud), one);
+    EXPECT_EQ(cellsOf(found), cellsOf(none));
+    EXPECT_EQ(found.statistics.flips22, none.statistics.flips22);
+    EXPECT_EQ(found.statistics.edgeChecks, none.statistics.edgeChecks);
+  }
+  doubles[cloud.size() / 3] = -2e200; // inside the grid
+  EXPECT_EQ(regularTriangulation(viewOf(cloud), all).hiddenIds.size(), 1u);
+  doubles.assign(cloud.size(), HUGE_VAL);
+  expectError([&] { regularTriangulation(viewOf(cloud), all); }, ErrorCode::NonFinite, 0, count);
+}
+
 /// Parts are as large as users have them, not as small as the other tests make them.
 TEST(PartsAsUsersHaveThem, ThreadsAddNoWork)
 {
@@ -186,7 +208,12 @@ TEST(PartsAsUsersHaveThem, ThreadsAddNoWork)
   for (const std::string& name : withShuffled(namesInUse(true)))
   {
     SCOPED_TRACE(name);
-    const Cloud cloud = makeCloud(name, true, 40000, 1);
+    Cloud cloud = makeCloud(name, true, 40000, 1);
+    Random random(2);
+    for (Point& p : cloud)
+    {
+      p[2] = random.uniform(0, 1e-12);
+    }
     for (const WeightView& weights : { WeightView(), weightsOf(cloud) })
     {
       expectSame(
