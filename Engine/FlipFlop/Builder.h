@@ -23,6 +23,7 @@
 #include "FlipFlop/Patches.h"
 #include "FlipFlop/PolyhedronBuilder.h"
 #include "FlipFlop/Quickhull.h"
+#include "Geometry/TriangleOrder.h"
 #include "Mesh/Compact.h"
 #include "Points/LineEnds.h"
 #include "Points/Samples.h"
@@ -326,6 +327,7 @@ private:
   static Polyhedron grow(const BuildTask<Geometry>& task, Polyhedron&& base,
     const PointSubset& subset, const First& first, Tally& tally, Statistics& statistics)
   {
+    sortAlongCurve(base, octahedralMapOf(task.geometry, base), task.monitor);
     const bool last = !subset.ids;
     const double from = last ? 0.15 : 0.1;
     const double associated = last ? 0.5 : 0.15;
