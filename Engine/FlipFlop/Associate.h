@@ -55,7 +55,7 @@ public:
     const std::uint32_t wanted =
       this->threads == 1 ? 1 : 4 * static_cast<std::uint32_t>(this->threads);
     // Chunks worth a task, whose cursors take no more memory than their points.
-    const std::uint32_t least = std::max<std::uint32_t>(16384, this->base.triangleCount());
+    const std::uint32_t least = std::max(PointsPerRow, this->base.triangleCount());
     this->chunks.resize(std::max(1u, std::min(wanted, subset.count / least)));
     this->tryPlanes(subset, fewPlanes);
     eachTask(this->chunks.size(), [&](std::size_t i) { this->associate(subset, i); });
@@ -78,25 +78,40 @@ private:
     Buffer<Located> located; ///< space for all; memory is taken as it is written
     std::size_t locatedCount = 0;
     std::vector<std::uint32_t> cursor; ///< by triangle: how many, then where the next goes
-    std::int64_t lastCell = -1;        ///< of the point that walked last
+    std::int64_t lastCell = -1;        ///< of the point that walked last; -1: none in this row
     std::uint32_t lastTriangle = 0;    ///< in whose cone that is
     Tally tally;
   };
+
+  /// So many points are walked to from one to the next, however many chunks there are: the walks do
+  /// not depend on the threads.
+  static constexpr std::uint32_t PointsPerRow = 1 << 14;
 
   void associate(const PointSubset& subset, std::size_t index)
   {
     Chunk& chunk = this->chunks[index];
     chunk.cursor.assign(this->base.triangleCount(), 0);
     const Geometry local = this->geometry;
-    const std::uint32_t begin = partBegin(subset.count, this->chunks.size(), index);
-    const std::uint32_t end = partBegin(subset.count, this->chunks.size(), index + 1);
-    chunk.located.allocate(end - begin);
-    const std::uint32_t* next = subset.excluded;
-    const std::uint32_t* const excludedEnd = subset.excluded + subset.excludedCount;
-    if (begin < end)
+    const auto rows = static_cast<std::uint32_t>(chunkCount(subset.count, PointsPerRow));
+    const std::uint32_t firstRow = partBegin(rows, this->chunks.size(), index);
+    const std::uint32_t lastRow = partBegin(rows, this->chunks.size(), index + 1);
+    chunk.located.allocate(std::size_t(PointsPerRow) * (lastRow - firstRow));
+    for (std::uint32_t row = firstRow; row < lastRow; ++row)
     {
-      next = std::lower_bound(next, excludedEnd, subset.idAt(begin));
+      chunk.lastCell = -1;
+      chunk.lastTriangle = 0;
+      this->associateRow(subset, local, row, chunk);
     }
+    chunk.tally.addPredicates(local, this->geometry);
+  }
+
+  void associateRow(
+    const PointSubset& subset, const Geometry& local, std::uint32_t row, Chunk& chunk)
+  {
+    const std::uint32_t begin = row * PointsPerRow;
+    const std::uint32_t end = begin + std::min(PointsPerRow, subset.count - begin);
+    const std::uint32_t* const excludedEnd = subset.excluded + subset.excludedCount;
+    const std::uint32_t* next = std::lower_bound(subset.excluded, excludedEnd, subset.idAt(begin));
 
     typename Locator::Block block;
     std::uint32_t ids[Locator::BlockSize];
@@ -144,7 +159,6 @@ private:
       }
       this->monitor.advance(i - blockBegin);
     }
-    chunk.tally.addPredicates(local, this->geometry);
   }
 
   /// Take few planes to help where the locator leaves many points, and they dismiss a good part of

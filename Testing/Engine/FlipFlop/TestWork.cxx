@@ -225,10 +225,11 @@ TEST(PartsAsUsersHaveThem, ThreadsAddNoWork)
         });
     }
   }
-  for (const char* name : { "shell0", "shell1e4", "pancake", "cylinder", "helix", "paraboloid" })
+  for (const char* name : { "shell0", "shell1e4", "pancake", "cylinder", "helix", "paraboloid",
+         "skewNeedle", "collinearAlmost" })
   {
     SCOPED_TRACE(name);
-    const Cloud cloud = makeCloud(name, false, 60000, 1);
+    const Cloud cloud = makeCloud(name, false, 100000, 1);
     expectSame([&](int threads) { return statisticsOf(convexHulls, cloud, threads); });
   }
 }
