@@ -55,7 +55,7 @@ public:
     const std::uint32_t wanted =
       this->threads == 1 ? 1 : 4 * static_cast<std::uint32_t>(this->threads);
     // Chunks worth a task, whose cursors take no more memory than their points.
-    const std::uint32_t least = std::max(PointsPerRow, this->base.triangleCount());
+    const std::uint32_t least = std::max(4 * PointsPerRow, this->base.triangleCount());
     this->chunks.resize(std::max(1u, std::min(wanted, subset.count / least)));
     this->tryPlanes(subset, fewPlanes);
     eachTask(this->chunks.size(), [&](std::size_t i) { this->associate(subset, i); });
@@ -78,14 +78,19 @@ private:
     Buffer<Located> located; ///< space for all; memory is taken as it is written
     std::size_t locatedCount = 0;
     std::vector<std::uint32_t> cursor; ///< by triangle: how many, then where the next goes
-    std::int64_t lastCell = -1;        ///< of the point that walked last; -1: none in this row
-    std::uint32_t lastTriangle = 0;    ///< in whose cone that is
     Tally tally;
+  };
+
+  /// Where the last walk ended.
+  struct Walked
+  {
+    std::int64_t cell = -1; ///< of the point; -1: there was none
+    std::uint32_t triangle = 0;
   };
 
   /// So many points are walked to from one to the next, however many chunks there are: the walks do
   /// not depend on the threads.
-  static constexpr std::uint32_t PointsPerRow = 1 << 14;
+  static constexpr std::uint32_t PointsPerRow = 1 << 12;
 
   void associate(const PointSubset& subset, std::size_t index)
   {
@@ -98,8 +103,6 @@ private:
     chunk.located.allocate(std::size_t(PointsPerRow) * (lastRow - firstRow));
     for (std::uint32_t row = firstRow; row < lastRow; ++row)
     {
-      chunk.lastCell = -1;
-      chunk.lastTriangle = 0;
       this->associateRow(subset, local, row, chunk);
     }
     chunk.tally.addPredicates(local, this->geometry);
@@ -113,6 +116,7 @@ private:
     const std::uint32_t* const excludedEnd = subset.excluded + subset.excludedCount;
     const std::uint32_t* next = std::lower_bound(subset.excluded, excludedEnd, subset.idAt(begin));
 
+    Walked last;
     typename Locator::Block block;
     std::uint32_t ids[Locator::BlockSize];
     for (std::uint32_t i = begin; i < end;)
@@ -154,7 +158,7 @@ private:
         }
         else
         {
-          this->locate(local, block, k, ids[k], chunk);
+          this->locate(local, block, k, ids[k], last, chunk);
         }
       }
       this->monitor.advance(i - blockBegin);
@@ -274,7 +278,7 @@ private:
   }
 
   void locate(const Geometry& local, const typename Locator::Block& block, int k, std::uint32_t id,
-    Chunk& chunk)
+    Walked& last, Chunk& chunk)
   {
     Vertex p;
     p.x[0] = block.x[0][k];
@@ -284,10 +288,9 @@ private:
     p.flags = 0;
     // Points that follow each other often lie near each other, too.
     const std::uint32_t start =
-      block.cell[k] == chunk.lastCell ? chunk.lastTriangle : this->locator.near(p, block.cell[k]);
+      block.cell[k] == last.cell ? last.triangle : this->locator.near(p, block.cell[k]);
     const std::uint32_t t = this->locator.locate(local, p, start);
-    chunk.lastCell = block.cell[k];
-    chunk.lastTriangle = t;
+    last = { block.cell[k], t };
     const auto& plane = this->locator.plane(t);
     const double height = plane.height(p.x);
     if (!(height > plane.error()))
