@@ -37,19 +37,19 @@ void sortAlongCurve(Polyhedron& polyhedron, const OctahedralMap& octahedral, Mon
   }
   std::sort(order.begin(), order.end());
 
-  std::vector<std::uint32_t> position(count);
+  std::vector<std::uint32_t> slotOf(count);
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    position[order[i].second] = i;
+    slotOf[order[i].second] = i;
   }
   Buffer<Triangle> sorted(count);
   for (std::uint32_t t = 0; t < count; ++t)
   {
-    Triangle& triangle = sorted[position[t]];
+    Triangle& triangle = sorted[slotOf[t]];
     triangle = polyhedron.triangles[t];
     for (std::uint32_t& twin : triangle.twin)
     {
-      twin = halfEdge(position[triangleOf(twin)], cornerOf(twin));
+      twin = halfEdge(slotOf[triangleOf(twin)], cornerOf(twin));
     }
   }
   polyhedron.triangles = std::move(sorted);
