@@ -137,6 +137,13 @@ TEST(WorkOn, PointsOfAFlatBodyAreDismissed)
   EXPECT_EQ(statisticsOf(convexHulls, cloud, 4).culled, alone.culled);
 }
 
+/// Of a wall, the growth alone would not show that both sizes take more.
+TEST(WorkOn, AWallTakesFewExactSigns)
+{
+  EXPECT_LT(statisticsOf(convexHulls, makeCloud("wall", false, Small, 1)).exactCalls, 10 * Small);
+  EXPECT_LT(statisticsOf(convexHulls, makeCloud("wall", false, Large, 1)).exactCalls, 22 * Large);
+}
+
 /// All points are vertices; most triangles are slivers. At this size the sample's hull has more
 /// vertices than the smaller levels have points.
 TEST(WorkOn, CurvesOfManyPointsAreInserted)
