@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Run/Run.h"
 
-#include "Support/PowersOfTwo.h"
-
-#include <algorithm>
-#include <cmath>
+#include "Points/ScaledRange.h"
 
 namespace flipflop
 {
@@ -46,32 +43,15 @@ void Run::setArithmetic(const Arithmetic& chosen)
   {
     return;
   }
-  for (int i = 0; i < 3; ++i)
-  {
-    const int exponent = this->source.scaleExponent(i);
-    this->range.low[i] = std::ldexp(this->range.low[i], exponent);
-    this->range.high[i] = std::ldexp(this->range.high[i], exponent);
-    this->range.smallest[i] = std::ldexp(this->range.smallest[i], exponent);
-  }
+  this->range =
+    scaledRange(this->range, [this](int axis) { return this->source.scaleExponent(axis); });
 }
 
 Lattice Run::findLattice(int axes, int bits)
 {
-  double extent = 0;
-  for (int i = 0; i < axes; ++i)
-  {
-    extent = std::max(extent, this->range.high[i] - this->range.low[i]);
-  }
-  Lattice lattice;
-  if (!this->arithmetic.wide && extent > 1e-60 && extent < 1e60)
-  {
-    // With smaller units, exact differences are so small that few neighbours are that near.
-    constexpr double small = 0x1p-10;
-    const double most = powerOfTwo(exponentOf(extent) + 1 - bits);
-    lattice.unit = commonUnit(this->source, small * most, most, this->checkFinite, this->monitor);
-    lattice.everywhere = lattice.unit == most;
-  }
-  return lattice;
+  return latticeWithin(this->range, axes, this->arithmetic, bits,
+    [this](double least, double most)
+    { return commonUnit(this->source, least, most, this->checkFinite, this->monitor); });
 }
 
 }

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A regular triangulation of the plane that points come into and go out of, one after another.
+///
+/// Under the ties of RaisedGeometry.h a set of points has one triangulation. So each edit only has
+/// to make the triangulation right, and it is what a run from nothing would make.
+///
+/// - Insertion: a walk to the point; the triangles that it is above, from there on, are the cavity,
+///   which a fan around the point replaces (A. Bowyer, D. F. Watson, 1981). Fixed edges bound it.
+/// - Removal: the triangles around the vertex become those of its link alone: by ears (the
+///   power test tells which), of many by a triangulation of the link.
+/// - A hidden point hangs where it is found again once it may appear: at a point of its position
+///   that hides it, or else in the triangle that it is beneath (the conflict lists of Flip-Flop for
+///   regular triangulations; the paper's section 4). When that triangle goes, it is tried again.
+///
+/// Points are named by slots; slot 0 is the virtual vertex, which closes the border. Ids, by which
+/// ties go, may be any.
+#ifndef flipflop_EditableMesh_h
+#define flipflop_EditableMesh_h
+
+#include "Edit/JournaledArray.h"
+#include "Edit/RaisedGeometry.h"
+#include "Geometry/PositionGrid.h"
+#include "Mesh/Mesh.h"
+#include "Points/Vertex.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace flipflop
+{
+
+/// Of a hidden point its neighbours in the list that it is in; of any point the list of those that
+/// hang at it, by increasing ids where there are no weights.
+struct HangingPoints
+{
+  std::uint32_t next, previous;
+  std::uint32_t first, last;
+};
+
+template <bool Weighted>
+class EditableMesh
+{
+public:
+  using Geometry = LiftedGeometry<Weighted>;
+
+  /// No more slots than this.
+  static constexpr std::uint32_t MostSlots = 1u << 30;
+
+  explicit EditableMesh(const Geometry& geometry);
+
+  /// The same triangulation, for points that may have weights.
+  /// @param other without weights, committed
+  EditableMesh(const Geometry& geometry, EditableMesh<false>&& other);
+
+  ///@{
+  /// Points.
+  std::uint32_t slotCount() const { return static_cast<std::uint32_t>(this->vertices.size()); }
+  const Vertex& vertex(std::uint32_t slot) const { return this->vertices[slot]; }
+  bool isVisible(std::uint32_t slot) const { return (this->vertices[slot].flags & VertexAlive); }
+  bool isHidden(std::uint32_t slot) const
+  {
+    return (this->vertices[slot].flags & (HiddenInTriangle | HiddenAtPoint)) != 0;
+  }
+  std::uint32_t visibleCount() const { return this->visible; }
+
+  /// Add a slot, which is not in the triangulation yet.
+  /// @throw Error TooManyPoints
+  std::uint32_t addSlot(const Vertex& point);
+
+  /// Of a slot that is not in the triangulation, or of all slots.
+  void setPoint(std::uint32_t slot, const Vertex& point) { this->vertices.edit(slot) = point; }
+
+  ///@{
+  /// Of a point that is there without a triangulation, or no more.
+  void wait(std::uint32_t slot) { this->vertices.edit(slot).flags = Waiting; }
+  void forget(std::uint32_t slot) { this->vertices.edit(slot).flags = 0; }
+  ///@}
+
+  /// The signs for all points that are there, as they are scaled.
+  void setGeometry(const Geometry& signs) noexcept
+  {
+    this->geometry = RaisedGeometry<Weighted>(signs);
+  }
+  ///@}
+
+  ///@{
+  /// Triangles, by index; some are dead.
+  bool hasTriangles() const { return this->live > 0; }
+  std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(this->triangles.size()); }
+  std::uint32_t liveCount() const { return this->live; }
+  const Triangle& triangle(std::uint32_t t) const { return this->triangles[t]; }
+  bool isDead(std::uint32_t t) const { return (this->triangles[t].flags & TriangleDead) != 0; }
+  bool isVirtual(std::uint32_t t) const
+  {
+    const std::uint32_t* const v = this->triangles[t].v;
+    return v[0] == 0 || v[1] == 0 || v[2] == 0;
+  }
+  ///@}
+
+  /// Begin with three points, in slots, which are not collinear.
+  void start(const std::uint32_t (&corner)[3]);
+
+  /// Begin with a triangulation of slots, counter-clockwise triangles without the virtual ones.
+  /// @param corners three a triangle
+  void adopt(const std::vector<std::uint32_t>& corners);
+
+  /// The triangle that holds a point, its border included; a virtual one if the point is outside.
+  std::uint32_t locate(const Vertex& point);
+
+  /// Of the triangles that hold a point, borders included, the first in the order of a snapshot.
+  /// @param slots receives its corners, that of the lowest id first
+  /// @return      false: the point is outside
+  bool firstHolding(const Vertex& point, std::uint32_t* slots);
+
+  /// Insert the point of a slot.
+  /// @return whether it is visible
+  bool insert(std::uint32_t slot)
+  {
+    return this->insertIn(slot, this->locate(this->vertices[slot]));
+  }
+
+  /// The same in the triangle that holds it, as locate() gives it.
+  bool insertIn(std::uint32_t slot, std::uint32_t t);
+
+  /// Remove the point of a slot. No edge at it is fixed.
+  /// @return false if the visible points left would span no triangle: then nothing was changed
+  bool remove(std::uint32_t slot);
+
+  ///@{
+  /// Of the last insertion that made a point visible: the triangles that were replaced, and those
+  /// in their place, counter-clockwise around the point. Some have the same indices. Side i of the
+  /// cavity is that of triangle i.
+  const std::vector<std::uint32_t>& replaced() const { return this->cavity; }
+  const std::vector<std::uint32_t>& fan() const { return this->fresh; }
+  std::uint32_t sideOrigin(std::size_t i) const { return this->sides[i].from; }
+  ///@}
+
+  ///@{
+  /// Make the edits since the last commit final, or take them back.
+  void commit() noexcept;
+  void rollback() noexcept;
+  ///@}
+
+  const RaisedGeometry<Weighted>& signs() const { return this->geometry; }
+  std::int64_t checkCount() const { return this->checks; }
+
+private:
+  friend class EditableMesh<true>; // which takes over the other's arrays
+
+  static constexpr std::uint32_t HiddenInTriangle = 8; ///< VertexFlags; at[slot] is the triangle
+  static constexpr std::uint32_t HiddenAtPoint = 16;   ///< in the list of that point
+  static constexpr std::uint32_t Waiting = 32;
+  static constexpr std::uint32_t TriangleInCavity = 0x40000000u;
+  static constexpr std::uint32_t NoSlot = 0;
+
+  /// An edge around the cavity, which is on its left.
+  struct Side
+  {
+    std::uint32_t from, to;
+    std::uint32_t outer; ///< the opposite half-edge
+    bool isFixed;
+  };
+
+  /// What changes besides the arrays.
+  struct Counts
+  {
+    std::uint32_t visible, live, firstFree, last;
+  };
+
+  std::uint32_t twin(std::uint32_t h) const { return this->triangles[h >> 2].twin[h & 3]; }
+  std::uint32_t origin(std::uint32_t h) const { return this->triangles[h >> 2].v[h & 3]; }
+  bool isFixed(std::uint32_t h) const
+  {
+    return (this->triangles[triangleOf(h)].flags >> cornerOf(h) & EdgeFixed) != 0;
+  }
+  bool isAbove(std::uint32_t t, const Vertex& p) const
+  {
+    const std::uint32_t* const v = this->triangles[t].v;
+    return this->geometry.isAbove(
+      this->vertices[v[0]], this->vertices[v[1]], this->vertices[v[2]], p);
+  }
+
+  /// The first hidden point of a triangle: before the finish, flatEdges has no other use.
+  std::uint32_t firstHidden(std::uint32_t t) const { return this->triangles[t].flatEdges; }
+
+  void setTriangle(std::uint32_t t, std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  void linkTwins(std::uint32_t h, std::uint32_t other);
+  std::uint32_t newTriangle();
+  void freeTriangle(std::uint32_t t);
+  void setVisible(std::uint32_t slot);
+
+  std::uint32_t walk(const Vertex& p, std::uint32_t t, std::uint32_t mostSteps);
+  std::uint32_t inner(std::uint32_t t) const;
+  void buildHints();
+
+  void openCavity(const Vertex& p, std::uint32_t t);
+  void addToCavity(std::uint32_t t);
+  void orderSides();
+  void takeHidden();
+  void fillCavity(std::uint32_t slot);
+
+  void hide(std::uint32_t slot, std::uint32_t t);
+  void hangAt(std::uint32_t slot, std::uint32_t point);
+  void unlinkHidden(std::uint32_t slot);
+  std::uint32_t takeBestAt(std::uint32_t point);
+  HangingPoints hangingOf(std::uint32_t slot) const;
+  HangingPoints& editHanging(std::uint32_t slot);
+  void hangIn(std::uint32_t slot, std::uint32_t t);
+  void settle(std::uint32_t t);
+
+  void removeHidden(std::uint32_t slot);
+  bool removeVisible(std::uint32_t slot);
+  void openStar(std::uint32_t slot);
+  bool isLinkOnLine() const;
+  bool anySideFixed() const;
+  void fillByEars();
+  bool isEar(std::size_t i, std::size_t j, const std::vector<std::size_t>& next) const;
+  void fillAlongLine();
+  void fillByTriangulation();
+  std::uint32_t nextOfStar();
+  void attach(std::uint32_t h, const Side& side);
+
+  RaisedGeometry<Weighted> geometry;
+  JournaledArray<Vertex> vertices;
+  JournaledArray<Triangle> triangles;
+  JournaledArray<std::uint32_t> at;      ///< by slot: of a visible point a half-edge that leaves it
+  JournaledArray<HangingPoints> hanging; ///< by slot, as far as any was hidden
+  Counts committedCounts{};
+  std::uint32_t visible = 0;
+  std::uint32_t live = 0;            ///< triangles
+  std::uint32_t firstFree = NoIndex; ///< dead triangle; twin[0] is the next
+  std::uint32_t last = 0;            ///< where the next walk starts
+
+  PositionGrid hints;        ///< slots
+  std::uint32_t hintsOf = 0; ///< as many points were visible then
+  std::uint32_t turns = 1;   ///< of walks
+
+  std::vector<std::uint32_t> sideFrom; ///< by slot: which of the sides leaves it
+  std::vector<std::uint32_t> cavity;
+  std::vector<Side> sides;            ///< counter-clockwise
+  std::vector<Side> found;            ///< sides, in any order
+  std::vector<std::uint32_t> fresh;   ///< triangles
+  std::vector<std::uint32_t> waiting; ///< points that an edit has to hide or insert again
+  std::uint32_t split = NoIndex;      ///< a half-edge of the fixed edge that a new point is on
+  std::size_t used = 0;               ///< of the cavity's triangles, by new ones
+  std::int64_t checks = 0;            ///< of triangles
+};
+
+}
+
+#endif

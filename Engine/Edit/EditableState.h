@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What an EditableTriangulation has: a mesh, and what is known of its points.
+///
+/// As long as all points are on one line there are no triangles, and the points only wait. The
+/// first beside the line, and an edit of very many points, make the mesh anew, by parts.
+#ifndef flipflop_EditableState_h
+#define flipflop_EditableState_h
+
+#include "Edit/EditableMesh.h"
+#include "Edit/PointFrame.h"
+#include "Points/PointSource.h"
+#include "Support/Monitor.h"
+#include <flipflop/EditableTriangulation.h>
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace flipflop
+{
+
+class EditableState
+{
+public:
+  /// The slot of a point. Ids count from 0, slots from 1.
+  static std::uint32_t slotOf(std::int64_t id) { return static_cast<std::uint32_t>(id) + 1; }
+
+  std::int64_t idCount() const;
+  std::int64_t pointCount() const { return this->known.present; }
+  bool contains(std::int64_t id) const;
+  /// Of a slot with a point: x, y and the weight as they were given.
+  void load(std::uint32_t slot, double* x) const;
+
+  ///@{
+  /// Edits of points, of which nothing is final before commit().
+  /// @param points as they were given; those that are not finite are left out
+  void insert(const PointSource& points, Monitor& monitor, const Options& options);
+  void remove(const std::vector<std::uint32_t>& slots, Monitor& monitor, const Options& options);
+  void move(const std::vector<std::uint32_t>& slots, const PointSource& points, bool keepWeights,
+    Monitor& monitor, const Options& options);
+  void commit() noexcept;
+  void rollback() noexcept;
+  ///@}
+
+  bool locate(const double* x, std::int64_t* corners);
+  ConstrainedTriangulation snapshot(const Options& options) const;
+
+private:
+  using AnyMesh = std::variant<EditableMesh<false>, EditableMesh<true>>;
+
+  template <class Use>
+  decltype(auto) inMesh(Use&& use)
+  {
+    return std::visit(std::forward<Use>(use), this->mesh);
+  }
+  template <class Use>
+  decltype(auto) inMesh(Use&& use) const
+  {
+    return std::visit(std::forward<Use>(use), this->mesh);
+  }
+
+  /// Of points that do not wait for a second dimension: are there triangles?
+  bool hasTriangles() const;
+
+  void setFrame(const PointFrame& next);
+  void setGeometry() noexcept;
+  PointFrame frameWith(const PointSource& points) const;
+  void admit(const PointSource& points);
+  Vertex scaled(const double* x, std::uint32_t slot) const;
+  const Vertex& vertex(std::uint32_t slot) const;
+  void setPoint(std::uint32_t slot, const Vertex& point);
+
+  void insertAll(std::vector<std::uint32_t>& slots, Monitor& monitor, const Options& options);
+  void insertSlot(std::uint32_t slot, const Options& options);
+  void removeSlot(std::uint32_t slot, const Options& options);
+  void wait(std::uint32_t slot);
+  void findSpan(std::uint32_t from);
+  bool paysAnew(std::size_t edits) const;
+  void triangulate(Monitor& monitor, const Options& options);
+  std::vector<std::uint32_t> presentSlots() const;
+  Triangulation triangulationOf(
+    const std::vector<std::uint32_t>& slots, const Options& options) const;
+
+  /// What there is besides the mesh.
+  struct Known
+  {
+    PointFrame frame;
+    std::uint32_t span[2] = { 0, 0 }; ///< while points wait: the first two of different positions
+    std::int64_t present = 0;
+  };
+
+  AnyMesh mesh = EditableMesh<false>(LiftedGeometry<false>());
+  std::optional<AnyMesh> before; ///< the mesh, if it was made anew since the last commit
+  Known known, committed;
+};
+
+}
+
+#endif

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <flipflop/EditableTriangulation.h>
+
+#include "Edit/EditableState.h"
+#include "Points/PointSource.h"
+#include "Support/EngineCall.h"
+#include "Support/Threads.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flipflop
+{
+
+namespace
+{
+
+/// @throw Error NonFinite
+void requireFinite(const PointSource& points)
+{
+  std::int64_t first = -1;
+  std::int64_t count = 0;
+  for (std::uint32_t i = 0; i < points.count(); ++i)
+  {
+    double x[3];
+    points.load(i, x);
+    if (!isFinite(x))
+    {
+      first = first < 0 ? i : first;
+      ++count;
+    }
+  }
+  if (count > 0)
+  {
+    throw Error(ErrorCode::NonFinite, first, count);
+  }
+}
+
+/// @throw Error BadArgument, WeightCount, TooManyPoints, NonFinite
+PointSource sourceOf(const PointView& points, const WeightView& weights, bool mayIgnore = false)
+{
+  requireValid(points, 2);
+  requireValid(weights, points.count);
+  const PointSource source(points, weights);
+  if (!mayIgnore)
+  {
+    requireFinite(source);
+  }
+  return source;
+}
+
+/// The slots of points to be edited.
+/// @throw Error BadArgument
+std::vector<std::uint32_t> slotsOf(
+  const EditableState& state, const std::int64_t* ids, std::int64_t count)
+{
+  if (count < 0 || (count > 0 && !ids))
+  {
+    throw badArgument("ids must be in memory, with a count of 0 or more");
+  }
+  std::vector<std::uint32_t> slots;
+  slots.reserve(static_cast<std::size_t>(count));
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    if (!state.contains(ids[i]))
+    {
+      throw badArgument("an id must be of a point that is in the triangulation", i, ids[i]);
+    }
+    slots.push_back(EditableState::slotOf(ids[i]));
+  }
+  std::vector<std::pair<std::uint32_t, std::int64_t>> sorted;
+  for (std::int64_t i = 0; count > 1 && i < count; ++i)
+  {
+    sorted.emplace_back(slots[static_cast<std::size_t>(i)], i);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  std::int64_t again = count;
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+  {
+    again = sorted[i].first == sorted[i - 1].first ? std::min(again, sorted[i].second) : again;
+  }
+  if (again < count)
+  {
+    throw badArgument("an id must not be there twice", again, ids[again]);
+  }
+  return slots;
+}
+
+/// edit (Monitor&): all of it is done, or nothing.
+template <class Edit>
+void inEdit(EditableState& state, std::int64_t points, const Options& options, const Edit& edit)
+{
+  Monitor monitor(options);
+  ArenaLoan arena(threadCount(options.threads, points));
+  arena.execute(
+    [&]
+    {
+      try
+      {
+        edit(monitor);
+        monitor.poll();
+        state.commit();
+      }
+      catch (...)
+      {
+        state.rollback();
+        throw;
+      }
+    });
+}
+
+Options oneThread()
+{
+  Options options;
+  options.threads = 1;
+  return options;
+}
+
+}
+
+EditableTriangulation::EditableTriangulation()
+  : state(engineCall([] { return std::make_unique<EditableState>(); }))
+{
+}
+
+EditableTriangulation::EditableTriangulation(
+  const PointView& points, const WeightView& weights, const Options& options)
+  : EditableTriangulation()
+{
+  engineCall(
+    [&]
+    {
+      const bool mayIgnore = options.nonFinite == NonFinitePolicy::Ignore;
+      const PointSource source = sourceOf(points, weights, mayIgnore);
+      inEdit(*this->state, points.count, options,
+        [&](Monitor& monitor) { this->state->insert(source, monitor, options); });
+    });
+}
+
+EditableTriangulation::EditableTriangulation(const EditableTriangulation& other)
+  : state(engineCall([&] { return std::make_unique<EditableState>(*other.state); }))
+{
+}
+
+EditableTriangulation& EditableTriangulation::operator=(const EditableTriangulation& other)
+{
+  EditableTriangulation copy(other);
+  std::swap(this->state, copy.state);
+  return *this;
+}
+
+EditableTriangulation::EditableTriangulation(EditableTriangulation&&) noexcept = default;
+EditableTriangulation& EditableTriangulation::operator=(EditableTriangulation&&) noexcept = default;
+EditableTriangulation::~EditableTriangulation() = default;
+
+std::int64_t EditableTriangulation::insert(double x, double y, double weight)
+{
+  const double point[3] = { x, y, weight };
+  return this->insert(PointView(point, 1), WeightView(point + 2, 1), oneThread());
+}
+
+std::int64_t EditableTriangulation::insert(
+  const PointView& points, const WeightView& weights, const Options& options)
+{
+  return engineCall(
+    [&]
+    {
+      const std::int64_t first = this->state->idCount();
+      const PointSource source = sourceOf(points, weights);
+      inEdit(*this->state, points.count, options,
+        [&](Monitor& monitor) { this->state->insert(source, monitor, options); });
+      return first;
+    });
+}
+
+void EditableTriangulation::remove(std::int64_t id)
+{
+  this->remove(&id, 1, oneThread());
+}
+
+void EditableTriangulation::remove(
+  const std::int64_t* ids, std::int64_t count, const Options& options)
+{
+  engineCall(
+    [&]
+    {
+      const std::vector<std::uint32_t> slots = slotsOf(*this->state, ids, count);
+      inEdit(*this->state, count, options,
+        [&](Monitor& monitor) { this->state->remove(slots, monitor, options); });
+    });
+}
+
+void EditableTriangulation::move(std::int64_t id, double x, double y)
+{
+  const double point[2] = { x, y };
+  this->move(&id, PointView(point, 1, 2), WeightView(), oneThread());
+}
+
+void EditableTriangulation::move(const std::int64_t* ids, const PointView& points,
+  const WeightView& weights, const Options& options)
+{
+  engineCall(
+    [&]
+    {
+      const PointSource source = sourceOf(points, weights);
+      const std::vector<std::uint32_t> slots = slotsOf(*this->state, ids, points.count);
+      inEdit(*this->state, points.count, options,
+        [&](Monitor& monitor)
+        { this->state->move(slots, source, !weights.data, monitor, options); });
+    });
+}
+
+std::int64_t EditableTriangulation::idCount() const
+{
+  return this->state->idCount();
+}
+
+std::int64_t EditableTriangulation::pointCount() const
+{
+  return this->state->pointCount();
+}
+
+bool EditableTriangulation::contains(std::int64_t id) const
+{
+  return this->state->contains(id);
+}
+
+void EditableTriangulation::point(std::int64_t id, double* values) const
+{
+  engineCall([&] { this->state->load(slotsOf(*this->state, &id, 1).front(), values); });
+}
+
+bool EditableTriangulation::locate(double x, double y, std::int64_t* corners)
+{
+  return engineCall(
+    [&]
+    {
+      const double point[3] = { x, y, 0.0 };
+      sourceOf(PointView(point, 1), WeightView());
+      return this->state->locate(point, corners);
+    });
+}
+
+ConstrainedTriangulation EditableTriangulation::snapshot(const Options& options) const
+{
+  return engineCall([&] { return this->state->snapshot(options); });
+}
+
+}
