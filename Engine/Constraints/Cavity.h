@@ -11,12 +11,10 @@
 #ifndef flipflop_Cavity_h
 #define flipflop_Cavity_h
 
-#include "Geometry/LiftedGeometry.h"
 #include "Mesh/Mesh.h"
 #include "Support/Monitor.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -27,27 +25,13 @@ namespace flipflop
 /// While constraints are inserted: the triangle is one of those that are crossed.
 constexpr std::uint32_t TriangleCrossed = 0x40000000u;
 
-/// By vertex, a half-edge that leaves it.
-using LeavingHalfEdges = std::vector<std::atomic<std::uint32_t>>;
-
-/// The corners of triangle @p t have half-edges of it.
-inline void setLeaving(LeavingHalfEdges& leaving, const Mesh& mesh, std::uint32_t t)
-{
-  for (int e = 0; e < 3; ++e)
-  {
-    leaving[mesh.triangles[t].v[e]].store(halfEdge(t, e), std::memory_order_relaxed);
-  }
-}
-
+/// @tparam Surface what EdgeInsertion changes
+template <class Surface>
 class Cavity
 {
 public:
-  using Geometry = LiftedGeometry<false>;
-
-  Cavity(const Geometry& signs, const Mesh& surface, LeavingHalfEdges& leavingOf, StepPoll& toPoll)
-    : geometry(signs)
-    , mesh(surface)
-    , leaving(leavingOf)
+  Cavity(Surface& toChange, StepPoll& toPoll)
+    : surface(toChange)
     , poll(toPoll)
   {
   }
@@ -59,6 +43,7 @@ public:
   template <class Meet>
   std::uint32_t open(std::uint32_t u, std::uint32_t v, std::uint32_t h, const Meet& meet)
   {
+    this->mesh = this->surface.mesh();
     this->crossed.clear();
     this->right.assign(1, this->sideOf(previousHalfEdge(h)));
     this->left.assign(1, this->sideOf(nextHalfEdge(h)));
@@ -73,8 +58,8 @@ public:
       }
       const std::uint32_t twin = this->mesh.twin(h);
       const std::uint32_t apex = this->mesh.origin(previousHalfEdge(twin));
-      ensure(!Geometry::isVirtual(this->vertex(apex)));
-      const int side = this->geometry.orient(this->vertex(u), this->vertex(v), this->vertex(apex));
+      ensure(!(this->vertex(apex).flags & VertexVirtual));
+      const int side = this->surface.orient(this->vertex(u), this->vertex(v), this->vertex(apex));
       if (side <= 0)
       {
         this->right.push_back(this->sideOf(nextHalfEdge(twin)));
@@ -89,6 +74,15 @@ public:
         return apex;
       }
       h = side > 0 ? nextHalfEdge(twin) : previousHalfEdge(twin);
+    }
+  }
+
+  /// No edge is to be made: the triangles are as they were.
+  void leave()
+  {
+    for (const std::uint32_t t : this->crossed)
+    {
+      this->mesh.triangles[t].flags &= ~TriangleCrossed;
     }
   }
 
@@ -148,8 +142,9 @@ private:
 
   void cross(std::uint32_t t)
   {
-    this->mesh.triangles[t].flags |= TriangleCrossed;
+    this->surface.willChange(t);
     this->crossed.push_back(t);
+    this->mesh.triangles[t].flags |= TriangleCrossed;
   }
 
   /// @param end where the chain ends
@@ -166,7 +161,7 @@ private:
       {
         const Side& last = this->scan.back();
         Side& first = *(this->scan.end() - 2);
-        if (this->geometry.orient(
+        if (this->surface.orient(
               this->vertex(first.from), this->vertex(last.from), this->vertex(c)) <= 0)
         {
           break;
@@ -176,7 +171,7 @@ private:
         this->attach(halfEdge(t, 0), first);
         this->attach(halfEdge(t, 1), last);
         this->mesh.triangles[t].v[2] = c;
-        setLeaving(this->leaving, this->mesh, t);
+        this->surface.leaveThrough(t);
         first = { first.from, NoIndex, halfEdge(t, 2), false, false };
         this->scan.pop_back();
       }
@@ -195,6 +190,7 @@ private:
       this->folds.push_back({ side.before, side.outer, h });
       return;
     }
+    this->surface.willChange(triangleOf(side.outer));
     this->mesh.link(h, side.outer);
     if (side.before == NoIndex)
     {
@@ -219,9 +215,8 @@ private:
     }
   }
 
-  const Geometry& geometry;
-  const Mesh mesh;
-  LeavingHalfEdges& leaving;
+  Surface& surface;
+  Mesh mesh; ///< the surface's
   StepPoll& poll;
   std::vector<std::uint32_t> crossed;
   std::size_t used = 0;          ///< of these, by new triangles

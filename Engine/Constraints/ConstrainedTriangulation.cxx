@@ -6,6 +6,8 @@
 
 #include "Constraints/ChainConstraints.h"
 #include "Constraints/EdgeInsertion.h"
+#include "Constraints/EdgeRecords.h"
+#include "Constraints/PolyhedronSurface.h"
 #include "Constraints/VertexAt.h"
 #include "FlipFlop/CpuBuilder.h"
 #include "Points/ConstraintInput.h"
@@ -13,6 +15,7 @@
 #include "Support/EngineCall.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace flipflop
@@ -48,6 +51,44 @@ public:
   }
 
 private:
+  /// @throw Error ConstraintsCross
+  static void insertConstraint(EdgeInsertion<PolyhedronSurface>& insertion,
+    PolyhedronSurface& surface, std::uint32_t u, std::uint32_t v, std::uint32_t constraint,
+    bool isSide, EdgeRecords& records)
+  {
+    // It begins where there are fewer triangles to examine: many constraints may end at one point.
+    const bool isTurned = u != v && insertion.hasSmallerStar(v, u);
+    if (isTurned)
+    {
+      std::swap(u, v);
+    }
+    SidesAlong sides;
+    if (isSide)
+    {
+      sides.balance = isTurned ? -1 : 1;
+      sides.first[isTurned] = constraint;
+    }
+    records.begin(u, v, constraint, sides);
+    std::vector<FixedEdge> crossed;
+    bool isKnown = false;
+    const bool isFree = insertion.insert(
+      u, v, [&] { return isKnown = records.isAgain(); },
+      [&](std::uint32_t from, std::uint32_t to) { records.add(from, to); },
+      [&](std::uint32_t h)
+      {
+        const Mesh& mesh = surface.mesh();
+        crossed.emplace_back(mesh.origin(h), mesh.origin(mesh.twin(h)), 0);
+      });
+    if (!isFree)
+    {
+      throw Error(ErrorCode::ConstraintsCross, constraint, records.firstAlong(crossed));
+    }
+    if (!isKnown)
+    {
+      records.finish();
+    }
+  }
+
   bool changesTriangulation() const override { return this->constraints.count > 0; }
 
   bool beforeCanonicalForm(Polyhedron& polyhedron, Tally& tally, bool anyFlat) override
@@ -57,22 +98,25 @@ private:
     requireFinite(this->constraints, this->source, this->checkFinite);
     const Geometry local = this->geometry;
     const VertexAt vertexAt(this->source, polyhedron, this->constraints, this->monitor);
-    EdgeInsertion insertion(local, polyhedron, this->monitor);
+    PolyhedronSurface surface(local, polyhedron, this->monitor);
+    EdgeInsertion<PolyhedronSurface> insertion(surface, this->monitor);
+    EdgeRecords records;
     for (std::int64_t i = 0; i < this->constraints.count; ++i)
     {
       const std::int64_t* const ends = this->constraints.ends + 2 * i;
-      insertion.insert(vertexAt(ends[0]), vertexAt(ends[1]), static_cast<std::uint32_t>(i),
-        i >= this->constraints.count - this->constraints.sides);
+      insertConstraint(insertion, surface, vertexAt(ends[0]), vertexAt(ends[1]),
+        static_cast<std::uint32_t>(i), i >= this->constraints.count - this->constraints.sides,
+        records);
       if ((i + 1) % ConstraintsPerReport == 0)
       {
         this->monitor.advance(ConstraintsPerReport);
       }
     }
-    this->edges = std::move(insertion.fixedEdges());
+    this->edges = std::move(records.all());
     tally.statistics.flips22 += insertion.flipCount();
     tally.statistics.flipsV += insertion.flipCount();
     tally.statistics.edgeChecks += insertion.checkCount();
-    const bool flat = insertion.markFlatEdges();
+    const bool flat = surface.markFlatEdges(this->monitor);
     tally.addPredicates(local, this->geometry);
     this->monitor.stage(0.98, 1.0, 1, "finishing");
     return anyFlat || flat;

@@ -182,6 +182,79 @@ void EditableMesh<Weighted>::adopt(const std::vector<std::uint32_t>& corners)
   this->last = 0;
 }
 
+template <bool Weighted>
+void EditableMesh<Weighted>::fix(const std::vector<std::uint64_t>& edges)
+{
+  for (std::uint32_t t = 0; !edges.empty() && t < this->triangleCount(); ++t)
+  {
+    for (int e = 0; e < 3; ++e)
+    {
+      const std::uint32_t* const v = this->triangles[t].v;
+      if (std::binary_search(edges.begin(), edges.end(), edgeKey(v[e], v[nextCorner(e)])))
+      {
+        this->triangles.edit(t).flags |= EdgeFixed << e;
+      }
+    }
+  }
+}
+
+template <bool Weighted>
+std::uint32_t EditableMesh<Weighted>::visibleAt(std::uint32_t slot)
+{
+  if (this->isVisible(slot))
+  {
+    return slot;
+  }
+  const Vertex& p = this->vertices[slot];
+  for (const std::uint32_t corner : this->triangles[this->locate(p)].v)
+  {
+    if (corner != 0 && Geometry::samePlanePosition(this->vertices[corner], p))
+    {
+      return corner;
+    }
+  }
+  throw Error(ErrorCode::Internal); // without weights, what is hidden is a duplicate
+}
+
+template <bool Weighted>
+std::vector<std::uint32_t> EditableMesh<Weighted>::visibleOfAll() const
+{
+  std::vector<std::uint32_t> result(this->slotCount());
+  for (std::uint32_t slot = 1; slot < this->slotCount(); ++slot)
+  {
+    result[slot] = this->isVisible(slot) ? slot : result[slot];
+    for (std::uint32_t other = this->isVisible(slot) ? this->nextAt(slot) : NoSlot; other != NoSlot;
+         other = this->hanging[other].next)
+    {
+      result[other] = slot;
+    }
+  }
+  return result;
+}
+
+/// The end of the fixed edge at @p u along the line to @p v.
+template <bool Weighted>
+std::uint32_t EditableMesh<Weighted>::fixedTowards(std::uint32_t u, std::uint32_t v) const
+{
+  const Vertex& from = this->vertices[u];
+  const Vertex& to = this->vertices[v];
+  const int axis = from.x[0] != to.x[0] ? 0 : 1;
+  const std::uint32_t first = this->at[u];
+  std::uint32_t h = first;
+  do
+  {
+    const std::uint32_t end = this->origin(nextHalfEdge(h));
+    const Vertex& p = this->vertices[end];
+    if (this->isFixed(h) && (p.x[axis] > from.x[axis]) == (to.x[axis] > from.x[axis]) &&
+      this->geometry.orient(from, to, p) == 0)
+    {
+      return end;
+    }
+    h = this->twin(previousHalfEdge(h));
+  } while (h != first);
+  throw Error(ErrorCode::Internal); // no constraint is here
+}
+
 /// Of a virtual triangle its neighbour.
 template <bool Weighted>
 std::uint32_t EditableMesh<Weighted>::inner(std::uint32_t t) const
@@ -450,10 +523,11 @@ template <bool Weighted>
 void EditableMesh<Weighted>::fillCavity(std::uint32_t slot)
 {
   const std::size_t count = this->sides.size();
-  const std::uint32_t ends[2] = { this->split == NoIndex ? NoIndex : this->origin(this->split),
-    this->split == NoIndex ? NoIndex : this->origin(nextHalfEdge(this->split)) };
+  const bool divides = this->split != NoIndex;
+  this->divided[0] = divides ? this->origin(this->split) : 0;
+  this->divided[1] = divides ? this->origin(nextHalfEdge(this->split)) : 0;
   const auto spoke = [&](std::uint32_t end, int e)
-  { return end == ends[0] || end == ends[1] ? EdgeFixed << e : 0u; };
+  { return divides && (end == this->divided[0] || end == this->divided[1]) ? EdgeFixed << e : 0u; };
   this->fresh.clear();
   for (std::size_t i = 0; i < count; ++i)
   {

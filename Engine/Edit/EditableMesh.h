@@ -140,6 +140,81 @@ public:
   ///@}
 
   ///@{
+  /// Fixed edges, of a triangulation without weights.
+  bool isFixed(std::uint32_t h) const
+  {
+    return (this->triangles[triangleOf(h)].flags >> cornerOf(h) & EdgeFixed) != 0;
+  }
+  std::uint32_t twin(std::uint32_t h) const { return this->triangles[h >> 2].twin[h & 3]; }
+  std::uint32_t origin(std::uint32_t h) const { return this->triangles[h >> 2].v[h & 3]; }
+
+  /// Edges of a triangulation that was adopted are fixed.
+  /// @param edges keys of both ends, the lower one high, sorted
+  void fix(const std::vector<std::uint64_t>& edges);
+  static std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b)
+  {
+    return std::uint64_t(a < b ? a : b) << 32 | (a < b ? b : a);
+  }
+
+  /// Of the last insertion that made a point visible: the ends of the fixed edge that it divided.
+  /// Both are 0: none.
+  const std::uint32_t* dividedEdge() const { return this->divided; }
+
+  /// use (from, to) for each fixed edge along the line from one visible point to another.
+  template <class Use>
+  void eachFixedEdge(std::uint32_t u, std::uint32_t v, const Use& use) const
+  {
+    while (u != v)
+    {
+      const std::uint32_t next = this->fixedTowards(u, v);
+      use(u, next);
+      u = next;
+    }
+  }
+
+  /// The visible point at the position of one.
+  std::uint32_t visibleAt(std::uint32_t slot);
+
+  /// The same for all slots.
+  std::vector<std::uint32_t> visibleOfAll() const;
+
+  /// The next point that is visible where a visible one is; 0: there is none.
+  std::uint32_t nextAt(std::uint32_t slot) const { return this->hangingOf(slot).first; }
+  ///@}
+
+  ///@{
+  /// For EdgeInsertion.
+  Mesh mesh()
+  {
+    Mesh result;
+    result.triangles = &this->triangles.again(0);
+    result.vertices = &this->vertices.again(0);
+    return result;
+  }
+  int orient(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    return this->geometry.orient(a, b, c);
+  }
+  bool isAbove(const Triangle& triangle, const Vertex& p) const
+  {
+    const std::uint32_t* const v = triangle.v;
+    return this->geometry.isAbove(
+      this->vertices[v[0]], this->vertices[v[1]], this->vertices[v[2]], p);
+  }
+  std::uint32_t leaving(std::uint32_t v) const { return this->at[v]; }
+  void setLeaving(std::uint32_t v, std::uint32_t h) { this->at.edit(v) = h; }
+  void leaveThrough(std::uint32_t t)
+  {
+    for (int e = 0; e < 3; ++e)
+    {
+      this->at.edit(this->triangles[t].v[e]) = halfEdge(t, e);
+    }
+  }
+  void willChange(std::uint32_t t) { this->triangles.edit(t); }
+  void changed(const std::vector<std::uint32_t>&) {}
+  ///@}
+
+  ///@{
   /// Make the edits since the last commit final, or take them back.
   void commit() noexcept;
   void rollback() noexcept;
@@ -165,23 +240,15 @@ private:
     bool isFixed;
   };
 
-  /// What changes besides the arrays.
+  /// What changes with the arrays.
   struct Counts
   {
     std::uint32_t visible, live, firstFree, last;
   };
 
-  std::uint32_t twin(std::uint32_t h) const { return this->triangles[h >> 2].twin[h & 3]; }
-  std::uint32_t origin(std::uint32_t h) const { return this->triangles[h >> 2].v[h & 3]; }
-  bool isFixed(std::uint32_t h) const
-  {
-    return (this->triangles[triangleOf(h)].flags >> cornerOf(h) & EdgeFixed) != 0;
-  }
   bool isAbove(std::uint32_t t, const Vertex& p) const
   {
-    const std::uint32_t* const v = this->triangles[t].v;
-    return this->geometry.isAbove(
-      this->vertices[v[0]], this->vertices[v[1]], this->vertices[v[2]], p);
+    return this->isAbove(this->triangles[t], p);
   }
 
   /// The first hidden point of a triangle: before the finish, flatEdges has no other use.
@@ -195,6 +262,7 @@ private:
 
   std::uint32_t walk(const Vertex& p, std::uint32_t t, std::uint32_t mostSteps);
   std::uint32_t inner(std::uint32_t t) const;
+  std::uint32_t fixedTowards(std::uint32_t u, std::uint32_t v) const;
   void buildHints();
 
   void openCavity(const Vertex& p, std::uint32_t t);
@@ -207,7 +275,10 @@ private:
   void hangAt(std::uint32_t slot, std::uint32_t point);
   void unlinkHidden(std::uint32_t slot);
   std::uint32_t takeBestAt(std::uint32_t point);
-  HangingPoints hangingOf(std::uint32_t slot) const;
+  HangingPoints hangingOf(std::uint32_t slot) const
+  {
+    return slot < this->hanging.size() ? this->hanging[slot] : HangingPoints{};
+  }
   HangingPoints& editHanging(std::uint32_t slot);
   void hangIn(std::uint32_t slot, std::uint32_t t);
   void settle(std::uint32_t t);
@@ -246,8 +317,9 @@ private:
   std::vector<std::uint32_t> fresh;   ///< triangles
   std::vector<std::uint32_t> waiting; ///< points that an edit has to hide or insert again
   std::uint32_t split = NoIndex;      ///< a half-edge of the fixed edge that a new point is on
-  std::size_t used = 0;               ///< of the cavity's triangles, by new ones
-  std::int64_t checks = 0;            ///< of triangles
+  std::uint32_t divided[2] = { 0, 0 };
+  std::size_t used = 0;    ///< of the cavity's triangles, by new ones
+  std::int64_t checks = 0; ///< of triangles
 };
 
 }

@@ -10,12 +10,6 @@ namespace flipflop
 {
 
 template <bool Weighted>
-HangingPoints EditableMesh<Weighted>::hangingOf(std::uint32_t slot) const
-{
-  return slot < this->hanging.size() ? this->hanging[slot] : HangingPoints{};
-}
-
-template <bool Weighted>
 HangingPoints& EditableMesh<Weighted>::editHanging(std::uint32_t slot)
 {
   while (this->hanging.size() <= slot)

@@ -7,6 +7,7 @@
 /// the hole is filled by the triangles of the link's own triangulation that are inside it. A
 /// triangle of three neighbours in the link is one of them (an ear) if no other corner is above it
 /// (O. Devillers, "On deletion in Delaunay triangulations", 2002).
+#include "Constraints/EdgeInsertion.h"
 #include "Edit/EditableMesh.h"
 
 #include <algorithm>
@@ -294,6 +295,27 @@ void EditableMesh<Weighted>::fillByTriangulation()
   for (const std::uint32_t slot : order)
   {
     ensure(alone.isVisible(slot) || alone.insert(slot));
+  }
+
+  if constexpr (!Weighted)
+  {
+    if (this->anySideFixed())
+    {
+      // Points that a fixed edge hides from the hole do not count.
+      Monitor quiet{ Options() };
+      EdgeInsertion<EditableMesh> insertion(alone, quiet);
+      for (std::uint32_t slot = 1; slot <= corners; ++slot)
+      {
+        const Side& side = this->sides[sideAt[slot]];
+        const std::uint32_t next = slot < corners ? slot + 1 : 1;
+        if (side.from != 0 && side.to != 0)
+        {
+          insertion.insert(
+            slot, next, [] { return false; }, [](std::uint32_t, std::uint32_t) {},
+            [](std::uint32_t) { throw Error(ErrorCode::Internal); });
+        }
+      }
+    }
   }
 
   // A half-edge of the link's own triangulation is a side if it runs to the next corner.

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <type_traits>
 
 namespace flipflop
 {
@@ -29,6 +31,15 @@ void sortAlongCurve(std::vector<std::uint32_t>& slots, const VertexOf& vertexOf,
   std::sort(keys.begin(), keys.end());
   std::transform(keys.begin(), keys.end(), slots.begin(),
     [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
+}
+
+/// @throw Error BadArgument
+void requireEither(bool holds)
+{
+  if (!holds)
+  {
+    throw badArgument("a triangulation has constraints or weights other than 0, not both");
+  }
 }
 
 }
@@ -78,13 +89,13 @@ Vertex EditableState::scaled(const double* x, std::uint32_t slot) const
 
 void EditableState::setGeometry() noexcept
 {
-  if (auto* const without = std::get_if<EditableMesh<false>>(&this->mesh))
+  if (auto* const without = std::get_if<EditableMesh<false>>(&this->now.mesh))
   {
     without->setGeometry(this->known.frame.geometry<false>());
   }
   else
   {
-    std::get<EditableMesh<true>>(this->mesh).setGeometry(this->known.frame.geometry<true>());
+    std::get<EditableMesh<true>>(this->now.mesh).setGeometry(this->known.frame.geometry<true>());
   }
 }
 
@@ -106,15 +117,14 @@ void EditableState::setFrame(const PointFrame& next)
     }
     this->setPoint(slot, v);
   }
-  if (next.anyWeight())
+  if (next.anyWeight() && std::holds_alternative<EditableMesh<false>>(this->now.mesh))
   {
-    if (auto* const without = std::get_if<EditableMesh<false>>(&this->mesh))
-    {
-      this->before = std::move(*without);
-      this->mesh = EditableMesh<true>(
-        next.geometry<true>(), EditableMesh<false>(std::get<EditableMesh<false>>(*this->before)));
-      return;
-    }
+    requireEither(this->list.count() == 0);
+    EditableMesh<false>& without = std::get<EditableMesh<false>>(this->now.mesh);
+    AnyMesh weighted = EditableMesh<true>(next.geometry<true>(), EditableMesh<false>(without));
+    this->before = std::move(this->now);
+    this->now = { std::move(weighted), EdgeCounts() };
+    return;
   }
   this->setGeometry();
 }
@@ -142,6 +152,8 @@ void EditableState::commit() noexcept
 {
   this->before.reset();
   this->inMesh([](auto& m) { m.commit(); });
+  this->now.counts.commit();
+  this->list.commit();
   this->committed = this->known;
 }
 
@@ -149,16 +161,35 @@ void EditableState::rollback() noexcept
 {
   if (this->before)
   {
-    this->mesh = std::move(*this->before);
+    this->now = std::move(*this->before);
     this->before.reset();
   }
   this->inMesh([](auto& m) { m.rollback(); });
+  this->now.counts.rollback();
+  this->list.rollback();
   this->known = this->committed;
   this->setGeometry();
 }
 
+EditableState::Edit EditableState::beginEdit(Monitor& monitor, const Options& options)
+{
+  Edit edit{ monitor, options, std::nullopt };
+  this->known.divided = 0;
+  if (this->list.count() > 0)
+  {
+    edit.constrained.emplace(
+      std::get<EditableMesh<false>>(this->now.mesh), this->list, this->now.counts, monitor);
+  }
+  return edit;
+}
+
+void EditableState::endEdit(const Edit& edit)
+{
+  this->known.divided = edit.constrained ? edit.constrained->dividedCount() : 0;
+}
+
 /// Do so many edits take longer one by one than a triangulation of all?
-bool EditableState::paysAnew(std::size_t edits) const
+bool EditableState::paysToRemake(std::size_t edits) const
 {
   constexpr std::size_t Few = 64;
   return edits > Few && 10 * edits >= static_cast<std::size_t>(this->known.present);
@@ -180,21 +211,15 @@ void EditableState::insert(const PointSource& points, Monitor& monitor, const Op
       slots.push_back(slot);
     }
   }
-  this->insertAll(slots, monitor, options);
-}
-
-/// Insert points that are not there.
-void EditableState::insertAll(
-  std::vector<std::uint32_t>& slots, Monitor& monitor, const Options& options)
-{
   this->known.present += static_cast<std::int64_t>(slots.size());
-  if (this->paysAnew(slots.size()))
+  Edit edit = this->beginEdit(monitor, options);
+  if (this->paysToRemake(slots.size()))
   {
     for (const std::uint32_t slot : slots)
     {
       this->inMesh([slot](auto& m) { m.wait(slot); });
     }
-    this->triangulate(monitor, options);
+    this->triangulate(edit);
     return;
   }
   if (slots.size() > 1)
@@ -206,14 +231,20 @@ void EditableState::insertAll(
   for (const std::uint32_t slot : slots)
   {
     poll.step();
-    this->insertSlot(slot, options);
+    this->insertSlot(slot, edit);
   }
+  this->endEdit(edit);
 }
 
-void EditableState::insertSlot(std::uint32_t slot, const Options& options)
+void EditableState::insertSlot(std::uint32_t slot, Edit& edit)
 {
   if (this->hasTriangles())
   {
+    if (edit.constrained)
+    {
+      edit.constrained->insertPoint(slot);
+      return;
+    }
     this->inMesh([slot](auto& m) { m.insert(slot); });
     return;
   }
@@ -224,12 +255,11 @@ void EditableState::insertSlot(std::uint32_t slot, const Options& options)
     this->findSpan(span[0] == 0 ? slot : std::min(slot, span[0]));
     return;
   }
-  const bool isBeside = this->inMesh([&](const auto& m)
-    { return m.signs().orient(m.vertex(span[0]), m.vertex(span[1]), m.vertex(slot)) != 0; });
-  if (isBeside)
+  const bool isOffLine = this->inMesh([&](const auto& m)
+    { return m.orient(m.vertex(span[0]), m.vertex(span[1]), m.vertex(slot)) != 0; });
+  if (isOffLine)
   {
-    Monitor monitor(options);
-    this->triangulate(monitor, options);
+    this->triangulate(edit);
   }
 }
 
@@ -255,44 +285,51 @@ void EditableState::findSpan(std::uint32_t from)
 void EditableState::remove(
   const std::vector<std::uint32_t>& slots, Monitor& monitor, const Options& options)
 {
-  const bool anew = this->hasTriangles() && this->paysAnew(slots.size());
+  for (std::size_t i = 0; i < slots.size(); ++i)
+  {
+    if (this->list.anyAt(slots[i]))
+    {
+      throw badArgument("a point can be removed only once no constraint ends there",
+        static_cast<std::int64_t>(i), std::int64_t(slots[i]) - 1);
+    }
+  }
+  Edit edit = this->beginEdit(monitor, options);
+  this->known.present -= static_cast<std::int64_t>(slots.size());
+  bool remakes = this->hasTriangles() && this->paysToRemake(slots.size());
   StepPoll poll(monitor);
   for (const std::uint32_t slot : slots)
   {
     poll.step();
-    if (anew)
+    if (!remakes && !this->hasTriangles())
     {
+      this->removeWaiting(slot);
+    }
+    else if (remakes || !this->removeFromTriangles(slot, edit))
+    {
+      remakes = true;
       this->inMesh([slot](auto& m) { m.forget(slot); });
     }
-    else
-    {
-      this->removeSlot(slot, options);
-    }
   }
-  this->known.present -= static_cast<std::int64_t>(slots.size());
-  if (anew)
+  if (remakes)
   {
-    this->triangulate(monitor, options);
+    this->triangulate(edit);
   }
 }
 
-void EditableState::removeSlot(std::uint32_t slot, const Options& options)
+/// @return false: the triangles are to be made again
+bool EditableState::removeFromTriangles(std::uint32_t slot, Edit& edit)
 {
-  if (!this->hasTriangles())
+  return edit.constrained ? edit.constrained->removePoint(slot)
+                          : this->inMesh([slot](auto& m) { return m.remove(slot); });
+}
+
+void EditableState::removeWaiting(std::uint32_t slot)
+{
+  this->inMesh([slot](auto& m) { m.forget(slot); });
+  const std::uint32_t* const span = this->known.span;
+  if (slot == span[0] || slot == span[1])
   {
-    this->inMesh([slot](auto& m) { m.forget(slot); });
-    const std::uint32_t* const span = this->known.span;
-    if (slot == span[0] || slot == span[1])
-    {
-      this->findSpan(span[0]);
-    }
-    return;
-  }
-  if (!this->inMesh([slot](auto& m) { return m.remove(slot); }))
-  {
-    this->inMesh([slot](auto& m) { m.forget(slot); });
-    Monitor monitor(options);
-    this->triangulate(monitor, options);
+    this->findSpan(span[0]);
   }
 }
 
@@ -314,26 +351,102 @@ void EditableState::move(const std::vector<std::uint32_t>& slots, const PointSou
   {
     this->setFrame(next);
   }
-  const bool anew = this->hasTriangles() && this->paysAnew(slots.size());
+  Edit edit = this->beginEdit(monitor, options);
+  bool remakes = !this->hasTriangles() || this->paysToRemake(slots.size());
+  // Constraints go with the points. Only where they are in the end they must not cross.
+  std::vector<std::uint32_t> carried;
+  if (edit.constrained && !remakes)
+  {
+    for (const std::uint32_t slot : slots)
+    {
+      const std::vector<std::uint32_t> here = this->list.at(slot);
+      carried.insert(carried.end(), here.begin(), here.end());
+    }
+    std::sort(carried.begin(), carried.end());
+    carried.erase(std::unique(carried.begin(), carried.end()), carried.end());
+    for (const std::uint32_t number : carried)
+    {
+      edit.constrained->release(number);
+    }
+  }
   StepPoll poll(monitor);
   for (std::size_t i = 0; i < slots.size(); ++i)
   {
     poll.step();
-    if (!anew)
+    const std::uint32_t slot = slots[i];
+    remakes = remakes || !this->removeFromTriangles(slot, edit);
+    this->setPoint(slot, this->scaled(&given[3 * i], slot));
+    if (remakes)
     {
-      this->removeSlot(slots[i], options);
+      this->inMesh([slot](auto& m) { m.wait(slot); });
     }
-    this->setPoint(slots[i], this->scaled(&given[3 * i], slots[i]));
-    if (!anew)
+    else
     {
-      this->insertSlot(slots[i], options);
+      this->insertSlot(slot, edit);
+    }
+  }
+  if (remakes)
+  {
+    this->triangulate(edit);
+    return;
+  }
+  for (const std::uint32_t number : carried)
+  {
+    edit.constrained->insert(number);
+  }
+  this->endEdit(edit);
+}
+
+void EditableState::insertConstraints(const std::vector<std::uint32_t>& ends, Monitor& monitor)
+{
+  auto* const mesh = std::get_if<EditableMesh<false>>(&this->now.mesh);
+  requireEither(mesh || ends.empty());
+  this->known.divided = 0;
+  if (ends.empty())
+  {
+    return;
+  }
+  ConstrainedEdits edits(*mesh, this->list, this->now.counts, monitor);
+  StepPoll poll(monitor);
+  for (std::size_t i = 0; i < ends.size(); i += 2)
+  {
+    poll.step();
+    const std::uint32_t number = this->list.add(ends[i], ends[i + 1]);
+    if (!this->hasTriangles())
+    {
       continue;
     }
-    this->inMesh([&](auto& m) { m.wait(slots[i]); });
+    try
+    {
+      edits.insert(number);
+    }
+    catch (const Error& error)
+    {
+      throw error.code() == ErrorCode::ConstraintsCross
+        ? Error(error.code(), static_cast<std::int64_t>(i / 2), error.count())
+        : error;
+    }
   }
-  if (anew)
+}
+
+void EditableState::removeConstraints(const std::vector<std::uint32_t>& numbers, Monitor& monitor)
+{
+  this->known.divided = 0;
+  if (numbers.empty())
   {
-    this->triangulate(monitor, options);
+    return;
+  }
+  ConstrainedEdits edits(
+    std::get<EditableMesh<false>>(this->now.mesh), this->list, this->now.counts, monitor);
+  StepPoll poll(monitor);
+  for (const std::uint32_t number : numbers)
+  {
+    poll.step();
+    if (this->hasTriangles())
+    {
+      edits.release(number);
+    }
+    this->list.remove(number);
   }
 }
 
@@ -351,79 +464,145 @@ std::vector<std::uint32_t> EditableState::presentSlots() const
   return slots;
 }
 
+std::vector<std::uint32_t> EditableState::presentConstraints() const
+{
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t number = 0; this->list.count() > 0 && number < this->list.numberCount();
+       ++number)
+  {
+    if (this->list.contains(number))
+    {
+      numbers.push_back(number);
+    }
+  }
+  return numbers;
+}
+
+/// From nothing.
 /// @return with indices of the slots for ids
-Triangulation EditableState::triangulationOf(
+ConstrainedTriangulation EditableState::triangulationOf(
   const std::vector<std::uint32_t>& slots, const Options& options) const
 {
-  std::vector<double> numbers;
-  numbers.reserve(3 * slots.size());
+  std::vector<double> values;
+  values.reserve(3 * slots.size());
   for (const std::uint32_t slot : slots)
   {
     const double* const x = this->vertex(slot).x;
-    numbers.insert(numbers.end(), x, x + 3);
+    values.insert(values.end(), x, x + 3);
   }
-  const auto count = static_cast<std::int64_t>(slots.size());
-  return regularTriangulation(PointView(numbers.data(), count, 3),
-    count > 0 ? WeightView(numbers.data() + 2, count, 3) : WeightView(), options);
+  const PointView points(values.data(), static_cast<std::int64_t>(slots.size()), 3);
+  ConstrainedTriangulation result;
+  const std::vector<std::uint32_t> numbers = this->presentConstraints();
+  if (numbers.empty())
+  {
+    static_cast<Triangulation&>(result) = regularTriangulation(points,
+      slots.empty() ? WeightView() : WeightView(values.data() + 2, points.count, 3), options);
+    return result;
+  }
+  std::vector<std::int64_t> ends;
+  for (const std::uint32_t number : numbers)
+  {
+    for (int which = 0; which < 2; ++which)
+    {
+      const std::uint32_t slot = this->list.end(number, which);
+      ends.push_back(std::lower_bound(slots.begin(), slots.end(), slot) - slots.begin());
+    }
+  }
+  try
+  {
+    result = constrainedTriangulation(
+      points, ConstraintView(ends.data(), static_cast<std::int64_t>(numbers.size())), options);
+  }
+  catch (const Error& error)
+  {
+    throw error.code() == ErrorCode::ConstraintsCross
+      ? Error(error.code(), numbers[static_cast<std::size_t>(error.index())],
+          numbers[static_cast<std::size_t>(error.count())])
+      : error;
+  }
+  for (std::int64_t& number : result.constraintOf)
+  {
+    number = numbers[static_cast<std::size_t>(number)];
+  }
+  return result;
 }
 
-/// Make the mesh anew, of all points.
-void EditableState::triangulate(Monitor& monitor, const Options& options)
+/// Make the mesh again, of all points and constraints.
+void EditableState::triangulate(Edit& edit)
 {
   const std::vector<std::uint32_t> slots = this->presentSlots();
-  Options forAll = options;
-  forAll.facets = FacetMode::Triangles;
-  const Triangulation made = this->triangulationOf(slots, forAll);
+  Options options = edit.options;
+  options.facets = FacetMode::Triangles;
+  const ConstrainedTriangulation made = this->triangulationOf(slots, options);
   this->inMesh(
     [&](auto& m)
     {
-      using MeshOfPoints = std::decay_t<decltype(m)>;
-      MeshOfPoints fresh(m.signs().unraised());
+      std::decay_t<decltype(m)> fresh(m.signs().unraised());
       for (std::uint32_t slot = 1; slot < m.slotCount(); ++slot)
       {
         Vertex v = m.vertex(slot);
         v.flags = 0;
         fresh.addSlot(v);
       }
-      if (made.dimension < 2)
-      {
-        for (const std::uint32_t slot : slots)
-        {
-          fresh.wait(slot);
-        }
-      }
-      else
-      {
-        std::vector<std::uint32_t> corners;
-        corners.reserve(made.connectivity.size());
-        for (const std::int64_t corner : made.connectivity)
-        {
-          corners.push_back(
-            slots[static_cast<std::size_t>(made.pointIds[static_cast<std::size_t>(corner)])]);
-        }
-        fresh.adopt(corners);
-        std::vector<std::uint32_t> hidden;
-        for (const std::int64_t id : made.hiddenIds)
-        {
-          hidden.push_back(slots[static_cast<std::size_t>(id)]);
-        }
-        sortAlongCurve(
-          hidden, [&m](std::uint32_t slot) { return m.vertex(slot); }, monitor);
-        StepPoll poll(monitor);
-        for (const std::uint32_t slot : hidden)
-        {
-          poll.step();
-          fresh.insert(slot);
-        }
-      }
+      this->adopt(fresh, slots, made, edit);
       fresh.commit();
       if (!this->before)
       {
-        this->before = std::move(m);
+        this->before = Made{ std::move(m), std::move(this->now.counts) };
       }
       m = std::move(fresh);
+      this->now.counts = EdgeCounts();
     });
   this->findSpan(this->hasTriangles() ? NoIndex : 1);
+  if (this->list.count() > 0 && this->hasTriangles())
+  {
+    ConstrainedEdits(
+      std::get<EditableMesh<false>>(this->now.mesh), this->list, this->now.counts, edit.monitor)
+      .countAll();
+  }
+}
+
+/// @param fresh of the points, without triangles
+template <bool Weighted>
+void EditableState::adopt(EditableMesh<Weighted>& fresh, const std::vector<std::uint32_t>& slots,
+  const ConstrainedTriangulation& made, Edit& edit) const
+{
+  if (made.dimension < 2)
+  {
+    for (const std::uint32_t slot : slots)
+    {
+      fresh.wait(slot);
+    }
+    return;
+  }
+  const auto slotOfCorner = [&](std::int64_t corner)
+  { return slots[static_cast<std::size_t>(made.pointIds[static_cast<std::size_t>(corner)])]; };
+  std::vector<std::uint32_t> corners;
+  corners.reserve(made.connectivity.size());
+  std::transform(
+    made.connectivity.begin(), made.connectivity.end(), std::back_inserter(corners), slotOfCorner);
+  fresh.adopt(corners);
+  std::vector<std::uint64_t> fixed;
+  for (std::size_t i = 0; i < made.fixedEdges.size(); i += 2)
+  {
+    fixed.push_back(EditableMesh<Weighted>::edgeKey(
+      slotOfCorner(made.fixedEdges[i]), slotOfCorner(made.fixedEdges[i + 1])));
+  }
+  std::sort(fixed.begin(), fixed.end());
+  fresh.fix(fixed);
+  std::vector<std::uint32_t> hidden;
+  for (const std::int64_t id : made.hiddenIds)
+  {
+    hidden.push_back(slots[static_cast<std::size_t>(id)]);
+  }
+  sortAlongCurve(
+    hidden, [&fresh](std::uint32_t slot) { return fresh.vertex(slot); }, edit.monitor);
+  StepPoll poll(edit.monitor);
+  for (const std::uint32_t slot : hidden)
+  {
+    poll.step();
+    fresh.insert(slot);
+  }
 }
 
 bool EditableState::locate(const double* x, std::int64_t* corners)

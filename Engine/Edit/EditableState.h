@@ -4,10 +4,12 @@
 /// What an EditableTriangulation has: a mesh, and what is known of its points.
 ///
 /// As long as all points are on one line there are no triangles, and the points only wait. The
-/// first beside the line, and an edit of very many points, make the mesh anew, by parts.
+/// first off the line, and an edit of very many points, make the mesh again, by parts.
 #ifndef flipflop_EditableState_h
 #define flipflop_EditableState_h
 
+#include "Edit/ConstrainedEdits.h"
+#include "Edit/ConstraintList.h"
 #include "Edit/EditableMesh.h"
 #include "Edit/PointFrame.h"
 #include "Points/PointSource.h"
@@ -42,9 +44,17 @@ public:
   void remove(const std::vector<std::uint32_t>& slots, Monitor& monitor, const Options& options);
   void move(const std::vector<std::uint32_t>& slots, const PointSource& points, bool keepWeights,
     Monitor& monitor, const Options& options);
+  /// @param ends slots, two a constraint
+  /// @throw Error ConstraintsCross (index: the constraint, by its index here), BadArgument
+  void insertConstraints(const std::vector<std::uint32_t>& ends, Monitor& monitor);
+  void removeConstraints(const std::vector<std::uint32_t>& numbers, Monitor& monitor);
   void commit() noexcept;
   void rollback() noexcept;
   ///@}
+
+  const ConstraintList& constraints() const { return this->list; }
+  /// Of the last edit: how many fixed edges its points divided.
+  std::int64_t dividedCount() const { return this->known.divided; }
 
   bool locate(const double* x, std::int64_t* corners);
   ConstrainedTriangulation snapshot(const Options& options) const;
@@ -55,12 +65,12 @@ private:
   template <class Use>
   decltype(auto) inMesh(Use&& use)
   {
-    return std::visit(std::forward<Use>(use), this->mesh);
+    return std::visit(std::forward<Use>(use), this->now.mesh);
   }
   template <class Use>
   decltype(auto) inMesh(Use&& use) const
   {
-    return std::visit(std::forward<Use>(use), this->mesh);
+    return std::visit(std::forward<Use>(use), this->now.mesh);
   }
 
   /// Of points that do not wait for a second dimension: are there triangles?
@@ -74,27 +84,51 @@ private:
   const Vertex& vertex(std::uint32_t slot) const;
   void setPoint(std::uint32_t slot, const Vertex& point);
 
-  void insertAll(std::vector<std::uint32_t>& slots, Monitor& monitor, const Options& options);
-  void insertSlot(std::uint32_t slot, const Options& options);
-  void removeSlot(std::uint32_t slot, const Options& options);
-  void wait(std::uint32_t slot);
-  void findSpan(std::uint32_t from);
-  bool paysAnew(std::size_t edits) const;
-  void triangulate(Monitor& monitor, const Options& options);
-  std::vector<std::uint32_t> presentSlots() const;
-  Triangulation triangulationOf(
-    const std::vector<std::uint32_t>& slots, const Options& options) const;
+  /// What the steps of an edit need.
+  struct Edit
+  {
+    Monitor& monitor;
+    const Options& options;
+    std::optional<ConstrainedEdits> constrained; ///< while there are triangles and constraints
+  };
+  Edit beginEdit(Monitor& monitor, const Options& options);
+  void endEdit(const Edit& edit);
 
-  /// What there is besides the mesh.
+  void insertSlot(std::uint32_t slot, Edit& edit);
+  bool removeFromTriangles(std::uint32_t slot, Edit& edit);
+  void removeWaiting(std::uint32_t slot);
+  void findSpan(std::uint32_t from);
+  bool paysToRemake(std::size_t edits) const;
+  void triangulate(Edit& edit);
+  template <bool Weighted>
+  void adopt(EditableMesh<Weighted>& fresh, const std::vector<std::uint32_t>& slots,
+    const ConstrainedTriangulation& made, Edit& edit) const;
+
+  std::vector<std::uint32_t> presentSlots() const;
+  std::vector<std::uint32_t> presentConstraints() const;
+  ConstrainedTriangulation triangulationOf(
+    const std::vector<std::uint32_t>& slots, const Options& options) const;
+  void writeFixedEdges(ConstrainedTriangulation& result) const;
+
+  /// What there is with the mesh.
   struct Known
   {
     PointFrame frame;
     std::uint32_t span[2] = { 0, 0 }; ///< while points wait: the first two of different positions
     std::int64_t present = 0;
+    std::int64_t divided = 0;
   };
 
-  AnyMesh mesh = EditableMesh<false>(LiftedGeometry<false>());
-  std::optional<AnyMesh> before; ///< the mesh, if it was made anew since the last commit
+  /// What is made again as a whole.
+  struct Made
+  {
+    AnyMesh mesh;
+    EdgeCounts counts; ///< of the mesh's fixed edges
+  };
+
+  Made now = { EditableMesh<false>(LiftedGeometry<false>()), EdgeCounts() };
+  std::optional<Made> before; ///< if it was made again since the last commit
+  ConstraintList list;
   Known known, committed;
 };
 

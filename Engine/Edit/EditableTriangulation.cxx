@@ -3,6 +3,7 @@
 #include <flipflop/EditableTriangulation.h>
 
 #include "Edit/EditableState.h"
+#include "Points/ConstraintInput.h"
 #include "Points/PointSource.h"
 #include "Support/EngineCall.h"
 #include "Support/Threads.h"
@@ -50,10 +51,14 @@ PointSource sourceOf(const PointView& points, const WeightView& weights, bool ma
   return source;
 }
 
-/// The slots of points to be edited.
+/// What is to be edited: each is there, and only once.
+/// @param contains bool (id)
+/// @param missing  what() of an error
+/// @param slotOf   std::uint32_t (id)
 /// @throw Error BadArgument
-std::vector<std::uint32_t> slotsOf(
-  const EditableState& state, const std::int64_t* ids, std::int64_t count)
+template <class Contains, class SlotOf>
+std::vector<std::uint32_t> listOf(const std::int64_t* ids, std::int64_t count,
+  const Contains& contains, const char* missing, const SlotOf& slotOf)
 {
   if (count < 0 || (count > 0 && !ids))
   {
@@ -63,11 +68,11 @@ std::vector<std::uint32_t> slotsOf(
   slots.reserve(static_cast<std::size_t>(count));
   for (std::int64_t i = 0; i < count; ++i)
   {
-    if (!state.contains(ids[i]))
+    if (!contains(ids[i]))
     {
-      throw badArgument("an id must be of a point that is in the triangulation", i, ids[i]);
+      throw badArgument(missing, i, ids[i]);
     }
-    slots.push_back(EditableState::slotOf(ids[i]));
+    slots.push_back(slotOf(ids[i]));
   }
   std::vector<std::pair<std::uint32_t, std::int64_t>> sorted;
   for (std::int64_t i = 0; count > 1 && i < count; ++i)
@@ -85,6 +90,14 @@ std::vector<std::uint32_t> slotsOf(
     throw badArgument("an id must not be there twice", again, ids[again]);
   }
   return slots;
+}
+
+std::vector<std::uint32_t> slotsOf(
+  const EditableState& state, const std::int64_t* ids, std::int64_t count)
+{
+  return listOf(
+    ids, count, [&state](std::int64_t id) { return state.contains(id); },
+    "an id must be of a point that is in the triangulation", EditableState::slotOf);
 }
 
 /// edit (Monitor&): all of it is done, or nothing.
@@ -209,6 +222,73 @@ void EditableTriangulation::move(const std::int64_t* ids, const PointView& point
         [&](Monitor& monitor)
         { this->state->move(slots, source, !weights.data, monitor, options); });
     });
+}
+
+std::int64_t EditableTriangulation::insertConstraints(
+  const ConstraintView& constraints, const Options& options)
+{
+  return engineCall(
+    [&]
+    {
+      const std::int64_t first = this->state->constraints().numberCount();
+      requireValid(constraints, this->state->idCount());
+      if (constraints.sides != 0)
+      {
+        throw badArgument("constraints that are edited are no sides of polygons");
+      }
+      std::vector<std::uint32_t> ends;
+      eachEnd(constraints,
+        [&](std::int64_t constraint, std::int64_t id)
+        {
+          if (!this->state->contains(id))
+          {
+            throw Error(ErrorCode::ConstraintPoint, constraint, id);
+          }
+          ends.push_back(EditableState::slotOf(id));
+        });
+      inEdit(*this->state, 1, options,
+        [&](Monitor& monitor) { this->state->insertConstraints(ends, monitor); });
+      return first;
+    });
+}
+
+void EditableTriangulation::removeConstraints(
+  const std::int64_t* numbers, std::int64_t count, const Options& options)
+{
+  engineCall(
+    [&]
+    {
+      const ConstraintList& list = this->state->constraints();
+      const std::vector<std::uint32_t> all = listOf(
+        numbers, count, [&list](std::int64_t number) { return list.contains(number); },
+        "a number must be of a constraint that is in the triangulation",
+        [](std::int64_t number) { return static_cast<std::uint32_t>(number); });
+      inEdit(*this->state, 1, options,
+        [&](Monitor& monitor) { this->state->removeConstraints(all, monitor); });
+    });
+}
+
+std::int64_t EditableTriangulation::constraintCount() const
+{
+  return this->state->constraints().count();
+}
+
+void EditableTriangulation::constraint(std::int64_t number, std::int64_t* ends) const
+{
+  const ConstraintList& list = this->state->constraints();
+  if (!list.contains(number))
+  {
+    throw badArgument("a number must be of a constraint that is in the triangulation", 0, number);
+  }
+  for (int which = 0; which < 2; ++which)
+  {
+    ends[which] = std::int64_t(list.end(static_cast<std::uint32_t>(number), which)) - 1;
+  }
+}
+
+std::int64_t EditableTriangulation::dividedEdges() const
+{
+  return this->state->dividedCount();
 }
 
 std::int64_t EditableTriangulation::idCount() const

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The arrays of an editable triangulation at a moment: the finish of a run, on a copy of its mesh.
+#include "Constraints/FixedEdge.h"
 #include "Edit/EditableState.h"
 #include "Finish/Canonical.h"
 #include "Finish/Redundant.h"
@@ -85,7 +86,7 @@ ConstrainedTriangulation EditableState::snapshot(const Options& options) const
   const std::vector<std::uint32_t> slots = this->presentSlots();
   if (!this->hasTriangles())
   {
-    static_cast<Triangulation&>(result) = this->triangulationOf(slots, options);
+    result = this->triangulationOf(slots, options);
     for (Buffer<std::int64_t>* ids : { &result.pointIds, &result.hiddenIds })
     {
       for (std::int64_t& id : *ids)
@@ -118,8 +119,33 @@ ConstrainedTriangulation EditableState::snapshot(const Options& options) const
       *hidden++ = id;
     }
   }
+  this->writeFixedEdges(result);
   result.statistics.points = this->known.present;
   return result;
+}
+
+void EditableState::writeFixedEdges(ConstrainedTriangulation& result) const
+{
+  const auto* const mesh = std::get_if<EditableMesh<false>>(&this->now.mesh);
+  if (this->list.count() == 0 || !mesh)
+  {
+    return;
+  }
+  const std::vector<std::uint32_t> visible = mesh->visibleOfAll();
+  const auto rankOf = [&result](std::uint32_t slot)
+  {
+    return static_cast<std::uint32_t>(
+      std::lower_bound(result.pointIds.begin(), result.pointIds.end(), std::int64_t(slot) - 1) -
+      result.pointIds.begin());
+  };
+  std::vector<FixedEdge> edges;
+  for (const std::uint32_t number : this->presentConstraints())
+  {
+    mesh->eachFixedEdge(visible[this->list.end(number, 0)], visible[this->list.end(number, 1)],
+      [&](std::uint32_t from, std::uint32_t to)
+      { edges.emplace_back(rankOf(from), rankOf(to), number); });
+  }
+  flipflop::writeFixedEdges(edges, result);
 }
 
 }

@@ -26,8 +26,8 @@ class EditableState;
 ///
 /// An edit costs what it changes: an insertion a walk from the last edit, or where that is far from
 /// a grid of hints, and about six triangles; a removal the triangles around the point. Edits of
-/// many points at once, a tenth of all or more, triangulate all anew where that is faster. While
-/// all points are on one line, an edit costs next to nothing, and the first point beside the line a
+/// many points at once, a tenth of all or more, triangulate all again where that is faster. While
+/// all points are on one line, an edit costs next to nothing, and the first point off the line a
 /// triangulation of all.
 ///
 /// A call that throws leaves all as it was. The object may be copied. Calls must not run at the
@@ -75,15 +75,16 @@ public:
     const Options& options = Options());
 
   /// Remove a point.
-  /// @throw Error BadArgument (no point has this id), OutOfMemory
+  /// @throw Error BadArgument (no point has this id, or a constraint ends there), ConstraintsCross
+  ///              (two meet there, and would cross without it), OutOfMemory
   void remove(std::int64_t id);
 
   /// Remove points.
   /// @param ids     each at most once
   /// @param count   how many
   /// @param options the threads and the progress
-  /// @throw Error   BadArgument (index: the first of @p ids that no point has, or that is there
-  ///                twice), OutOfMemory, Aborted
+  /// @throw Error   BadArgument (index: the first of @p ids that no point has, that is there twice,
+  ///                or that a constraint ends at), ConstraintsCross, OutOfMemory, Aborted
   void remove(const std::int64_t* ids, std::int64_t count, const Options& options = Options());
 
   /// Move a point, which keeps its weight.
@@ -95,9 +96,46 @@ public:
   /// @param points  where to: one for each id
   /// @param weights new ones; none: they stay
   /// @param options the threads and the progress
-  /// @throw Error   as of insert() and remove(); the points of the error are those of @p points
+  /// @throw Error   as of insert() and remove(), with the indices of @p points; a point that a
+  ///                constraint ends at may move. ConstraintsCross (count: a constraint that would)
   void move(const std::int64_t* ids, const PointView& points,
     const WeightView& weights = WeightView(), const Options& options = Options());
+
+  /// Insert constraints: segments that are edges, or several along a line of points. They part what
+  /// they run through, as in constrainedTriangulation(). A number is given once, as a point's id.
+  /// Constraints go with their ends when these move.
+  ///
+  /// A point that comes onto a constraint divides an edge: dividedEdges(). A triangulation has
+  /// constraints or weights other than 0, not both.
+  /// @param constraints ends by id; no sides of polygons
+  /// @param options     the progress
+  /// @return            the first one's number
+  /// @throw Error       ConstraintPoint (index: the first of @p constraints with an end that no
+  ///                    point has, count: that id), ConstraintsCross (index: the first that crosses
+  ///                    another between points, count: that one's number), BadArgument,
+  ///                    TooManyPoints, OutOfMemory, Aborted
+  std::int64_t insertConstraints(
+    const ConstraintView& constraints, const Options& options = Options());
+
+  /// Remove constraints. Edges that no other runs along become ordinary.
+  /// @param numbers each at most once
+  /// @param count   how many
+  /// @param options the progress
+  /// @throw Error   BadArgument (index: the first of @p numbers that no constraint has, or that is
+  ///                there twice), OutOfMemory, Aborted
+  void removeConstraints(
+    const std::int64_t* numbers, std::int64_t count, const Options& options = Options());
+
+  /// How many constraints there are.
+  std::int64_t constraintCount() const;
+
+  /// The ids of a constraint's ends.
+  /// @param ends  receives two ids
+  /// @throw Error BadArgument (no constraint has this number)
+  void constraint(std::int64_t number, std::int64_t* ends) const;
+
+  /// How many fixed edges the points of the last edit divided.
+  std::int64_t dividedEdges() const;
 
   /// How many ids were given: all are below.
   std::int64_t idCount() const;

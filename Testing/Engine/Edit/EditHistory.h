@@ -12,8 +12,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace flipflop
@@ -29,11 +32,15 @@ public:
     : random(seed)
     , kind(this->random.integer(0, 7))
     , weights(this->random.integer(0, 3))
+    , constrained(this->random.integer(0, 1) != 0)
     , scale(this->random.integer(0, 5) ? 1.0 : std::ldexp(1.0, this->random.integer(-500, 500)))
   {
   }
 
   bool isWeighted() const { return this->weights > 0; }
+
+  /// Are there constraints, too?
+  bool isConstrained() const { return this->weights == 0 && this->constrained; }
 
   Point operator()()
   {
@@ -69,7 +76,7 @@ private:
           0 } };
       case 2: // on a circle
         return ofCircle(this->random.integer(0, 35));
-      case 3: // on a line, and rarely beside it
+      case 3: // on a line, and rarely off it
         return { { double(this->random.integer(0, 8)),
           this->random.integer(0, 15) ? 0.0 : this->random.integer(-2, 2), 0 } };
       case 4: // neighbours in doubles
@@ -109,6 +116,7 @@ private:
 
   const int kind;
   const int weights;
+  const bool constrained;
   const double scale;
 };
 
@@ -135,6 +143,11 @@ public:
   void step()
   {
     Random& random = this->make.random;
+    if (this->make.isConstrained() && random.integer(0, 2) == 0)
+    {
+      this->changeConstraints();
+      return;
+    }
     const int what = random.integer(0, 9);
     if (what < 4 || this->present.empty())
     {
@@ -170,21 +183,27 @@ public:
     {
       left.push_back(this->points[static_cast<std::size_t>(id)]);
     }
+    const std::vector<std::int64_t> ends = this->endsAmong(this->present);
+    const ConstraintView constrained(ends.data(), std::int64_t(ends.size() / 2));
     for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
     {
       Options options;
       options.threads = 1;
       options.facets = facets;
-      Triangulation wanted = regularTriangulation(this->view(left), this->weightsOf(left), options);
-      for (Buffer<std::int64_t>* ids : { &wanted.pointIds, &wanted.hiddenIds })
+      ConstrainedTriangulation wanted;
+      if (constrained.count > 0)
       {
-        for (std::int64_t& id : *ids)
-        {
-          id = this->present[static_cast<std::size_t>(id)];
-        }
+        wanted = constrainedTriangulation(view(left), constrained, options);
       }
-      const Triangulation found = this->edited.snapshot(options);
-      ASSERT_TRUE(bitsOf(found) == bitsOf(wanted));
+      else
+      {
+        static_cast<Triangulation&>(wanted) =
+          regularTriangulation(view(left), this->weightsOf(left), options);
+      }
+      rename(wanted.pointIds, this->present);
+      rename(wanted.hiddenIds, this->present);
+      rename(wanted.constraintOf, this->numbers);
+      ASSERT_TRUE(bitsOf(this->edited.snapshot(options)) == bitsOf(wanted));
     }
     ASSERT_EQ(this->edited.pointCount(), std::int64_t(this->present.size()));
     ASSERT_EQ(this->edited.idCount(), std::int64_t(this->points.size()));
@@ -193,6 +212,8 @@ public:
   EditableTriangulation edited;
   Cloud points; ///< by id
   std::vector<std::int64_t> present;
+  std::vector<std::array<std::int64_t, 2>> constraints; ///< by number
+  std::vector<std::int64_t> numbers;                    ///< of those that are there
 
 private:
   static PointView view(const Cloud& cloud)
@@ -205,6 +226,112 @@ private:
     return this->make.isWeighted() && !cloud.empty()
       ? WeightView(cloud.front().data() + 2, std::int64_t(cloud.size()), 3)
       : WeightView();
+  }
+
+  static void rename(Buffer<std::int64_t>& indices, const std::vector<std::int64_t>& names)
+  {
+    for (std::int64_t& index : indices)
+    {
+      index = names[static_cast<std::size_t>(index)];
+    }
+  }
+
+  /// The ends of the constraints, as indices of some ids.
+  std::vector<std::int64_t> endsAmong(const std::vector<std::int64_t>& ids) const
+  {
+    std::vector<std::int64_t> ends;
+    for (const std::int64_t number : this->numbers)
+    {
+      for (const std::int64_t id : this->constraints[static_cast<std::size_t>(number)])
+      {
+        ends.push_back(std::find(ids.begin(), ids.end(), id) - ids.begin());
+      }
+    }
+    return ends;
+  }
+
+  bool isEnd(std::int64_t id) const
+  {
+    return std::any_of(this->numbers.begin(), this->numbers.end(),
+      [&](std::int64_t number)
+      {
+        const auto& ends = this->constraints[static_cast<std::size_t>(number)];
+        return ends[0] == id || ends[1] == id;
+      });
+  }
+
+  /// An edit, and what should have been done; or neither, if constraints cross then.
+  template <class Edit, class Note>
+  void unlessCrossing(const Edit& edit, const Note& note)
+  {
+    const auto old = std::make_tuple(this->points, this->present, this->constraints, this->numbers);
+    note();
+    const std::vector<std::int64_t> ends = this->endsAmong(this->present);
+    bool crosses = false;
+    try
+    {
+      Cloud left;
+      for (const std::int64_t id : this->present)
+      {
+        left.push_back(this->points[static_cast<std::size_t>(id)]);
+      }
+      constrainedTriangulation(
+        view(left), ConstraintView(ends.data(), std::int64_t(ends.size() / 2)));
+    }
+    catch (const Error& error)
+    {
+      ASSERT_EQ(error.code(), ErrorCode::ConstraintsCross);
+      crosses = true;
+    }
+    bool refused = false;
+    try
+    {
+      edit();
+    }
+    catch (const Error& error)
+    {
+      ASSERT_EQ(error.code(), ErrorCode::ConstraintsCross) << error.what();
+      refused = true;
+    }
+    ASSERT_EQ(refused, crosses);
+    if (crosses)
+    {
+      std::tie(this->points, this->present, this->constraints, this->numbers) = old;
+    }
+  }
+
+  void changeConstraints()
+  {
+    Random& random = this->make.random;
+    if (this->present.empty())
+    {
+      return;
+    }
+    if (!this->numbers.empty() && random.integer(0, 2) == 0)
+    {
+      const std::size_t which = random.pick(this->numbers.size());
+      this->edited.removeConstraints(&this->numbers[which], 1);
+      this->numbers.erase(this->numbers.begin() + static_cast<std::ptrdiff_t>(which));
+      return;
+    }
+    std::vector<std::int64_t> ends;
+    for (int i = random.integer(1, 3); i > 0; --i)
+    {
+      ends.push_back(this->present[random.pick(this->present.size())]);
+      ends.push_back(this->present[random.pick(this->present.size())]);
+    }
+    this->unlessCrossing(
+      [&] {
+        this->edited.insertConstraints({ ends.data(), std::int64_t(ends.size() / 2) });
+      },
+      [&]
+      {
+        for (std::size_t i = 0; i < ends.size(); i += 2)
+        {
+          this->numbers.push_back(std::int64_t(this->constraints.size()));
+          this->constraints.push_back({ { ends[i], ends[i + 1] } });
+        }
+      });
   }
 
   Cloud some(std::size_t count)
@@ -239,12 +366,22 @@ private:
 
   void remove(std::size_t count)
   {
-    const std::vector<std::int64_t> ids = this->choose(count);
-    this->edited.remove(ids.data(), std::int64_t(ids.size()));
-    for (const std::int64_t id : ids)
+    std::vector<std::int64_t> ids = this->choose(count);
+    const auto kept =
+      std::partition(ids.begin(), ids.end(), [this](std::int64_t id) { return !this->isEnd(id); });
+    if (kept != ids.end())
     {
-      this->present.erase(std::find(this->present.begin(), this->present.end(), id));
+      EXPECT_THROW(this->edited.remove(ids.data(), std::int64_t(ids.size())), Error);
+      ids.erase(kept, ids.end());
     }
+    this->unlessCrossing([&] { this->edited.remove(ids.data(), std::int64_t(ids.size())); },
+      [&]
+      {
+        for (const std::int64_t id : ids)
+        {
+          this->present.erase(std::find(this->present.begin(), this->present.end(), id));
+        }
+      });
   }
 
   void move(std::size_t count)
@@ -252,12 +389,18 @@ private:
     const std::vector<std::int64_t> ids = this->choose(count);
     const Cloud to = this->some(ids.size());
     const bool keepWeights = this->make.random.integer(0, 1) != 0;
-    this->edited.move(ids.data(), this->view(to), keepWeights ? WeightView() : this->weightsOf(to));
-    for (std::size_t i = 0; i < ids.size(); ++i)
-    {
-      Point& p = this->points[static_cast<std::size_t>(ids[i])];
-      p = { { to[i][0], to[i][1], keepWeights ? p[2] : to[i][2] } };
-    }
+    this->unlessCrossing(
+      [&] {
+        this->edited.move(ids.data(), view(to), keepWeights ? WeightView() : this->weightsOf(to));
+      },
+      [&]
+      {
+        for (std::size_t i = 0; i < ids.size(); ++i)
+        {
+          Point& p = this->points[static_cast<std::size_t>(ids[i])];
+          p = { { to[i][0], to[i][1], keepWeights ? p[2] : to[i][2] } };
+        }
+      });
   }
 
   PointMaker make;
