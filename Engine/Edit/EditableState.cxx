@@ -2,36 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Edit/EditableState.h"
 
-#include "Geometry/HilbertCurve.h"
-#include <flipflop/RegularTriangulation.h>
+#include "Edit/SlotOrder.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <type_traits>
 
 namespace flipflop
 {
 
 namespace
 {
-
-/// Slots in the order of a curve through their points.
-template <class VertexOf>
-void sortAlongCurve(std::vector<std::uint32_t>& slots, const VertexOf& vertexOf, Monitor& monitor)
-{
-  const HilbertCurve curve = curveThrough(slots.size(), monitor,
-    [&](std::size_t i, double* uv) { std::copy_n(vertexOf(slots[i]).x, 2, uv); });
-  std::vector<std::uint64_t> keys;
-  keys.reserve(slots.size());
-  for (const std::uint32_t slot : slots)
-  {
-    keys.push_back(std::uint64_t(curve.at(vertexOf(slot).x)) << 32 | slot);
-  }
-  std::sort(keys.begin(), keys.end());
-  std::transform(keys.begin(), keys.end(), slots.begin(),
-    [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
-}
 
 /// @throw Error BadArgument
 void requireEither(bool holds)
@@ -447,161 +427,6 @@ void EditableState::removeConstraints(const std::vector<std::uint32_t>& numbers,
       edits.release(number);
     }
     this->list.remove(number);
-  }
-}
-
-std::vector<std::uint32_t> EditableState::presentSlots() const
-{
-  std::vector<std::uint32_t> slots;
-  slots.reserve(static_cast<std::size_t>(this->known.present));
-  for (std::uint32_t slot = 1; slot <= this->idCount(); ++slot)
-  {
-    if (this->vertex(slot).flags != 0)
-    {
-      slots.push_back(slot);
-    }
-  }
-  return slots;
-}
-
-std::vector<std::uint32_t> EditableState::presentConstraints() const
-{
-  std::vector<std::uint32_t> numbers;
-  for (std::uint32_t number = 0; this->list.count() > 0 && number < this->list.numberCount();
-       ++number)
-  {
-    if (this->list.contains(number))
-    {
-      numbers.push_back(number);
-    }
-  }
-  return numbers;
-}
-
-/// From nothing.
-/// @return with indices of the slots for ids
-ConstrainedTriangulation EditableState::triangulationOf(
-  const std::vector<std::uint32_t>& slots, const Options& options) const
-{
-  std::vector<double> values;
-  values.reserve(3 * slots.size());
-  for (const std::uint32_t slot : slots)
-  {
-    const double* const x = this->vertex(slot).x;
-    values.insert(values.end(), x, x + 3);
-  }
-  const PointView points(values.data(), static_cast<std::int64_t>(slots.size()), 3);
-  ConstrainedTriangulation result;
-  const std::vector<std::uint32_t> numbers = this->presentConstraints();
-  if (numbers.empty())
-  {
-    static_cast<Triangulation&>(result) = regularTriangulation(points,
-      slots.empty() ? WeightView() : WeightView(values.data() + 2, points.count, 3), options);
-    return result;
-  }
-  std::vector<std::int64_t> ends;
-  for (const std::uint32_t number : numbers)
-  {
-    for (int which = 0; which < 2; ++which)
-    {
-      const std::uint32_t slot = this->list.end(number, which);
-      ends.push_back(std::lower_bound(slots.begin(), slots.end(), slot) - slots.begin());
-    }
-  }
-  try
-  {
-    result = constrainedTriangulation(
-      points, ConstraintView(ends.data(), static_cast<std::int64_t>(numbers.size())), options);
-  }
-  catch (const Error& error)
-  {
-    throw error.code() == ErrorCode::ConstraintsCross
-      ? Error(error.code(), numbers[static_cast<std::size_t>(error.index())],
-          numbers[static_cast<std::size_t>(error.count())])
-      : error;
-  }
-  for (std::int64_t& number : result.constraintOf)
-  {
-    number = numbers[static_cast<std::size_t>(number)];
-  }
-  return result;
-}
-
-/// Make the mesh again, of all points and constraints.
-void EditableState::triangulate(Edit& edit)
-{
-  const std::vector<std::uint32_t> slots = this->presentSlots();
-  Options options = edit.options;
-  options.facets = FacetMode::Triangles;
-  const ConstrainedTriangulation made = this->triangulationOf(slots, options);
-  this->inMesh(
-    [&](auto& m)
-    {
-      std::decay_t<decltype(m)> fresh(m.signs().unraised());
-      for (std::uint32_t slot = 1; slot < m.slotCount(); ++slot)
-      {
-        Vertex v = m.vertex(slot);
-        v.flags = 0;
-        fresh.addSlot(v);
-      }
-      this->adopt(fresh, slots, made, edit);
-      fresh.commit();
-      if (!this->before)
-      {
-        this->before = Made{ std::move(m), std::move(this->now.counts) };
-      }
-      m = std::move(fresh);
-      this->now.counts = EdgeCounts();
-    });
-  this->findSpan(this->hasTriangles() ? NoIndex : 1);
-  if (this->list.count() > 0 && this->hasTriangles())
-  {
-    ConstrainedEdits(
-      std::get<EditableMesh<false>>(this->now.mesh), this->list, this->now.counts, edit.monitor)
-      .countAll();
-  }
-}
-
-/// @param fresh of the points, without triangles
-template <bool Weighted>
-void EditableState::adopt(EditableMesh<Weighted>& fresh, const std::vector<std::uint32_t>& slots,
-  const ConstrainedTriangulation& made, Edit& edit) const
-{
-  if (made.dimension < 2)
-  {
-    for (const std::uint32_t slot : slots)
-    {
-      fresh.wait(slot);
-    }
-    return;
-  }
-  const auto slotOfCorner = [&](std::int64_t corner)
-  { return slots[static_cast<std::size_t>(made.pointIds[static_cast<std::size_t>(corner)])]; };
-  std::vector<std::uint32_t> corners;
-  corners.reserve(made.connectivity.size());
-  std::transform(
-    made.connectivity.begin(), made.connectivity.end(), std::back_inserter(corners), slotOfCorner);
-  fresh.adopt(corners);
-  std::vector<std::uint64_t> fixed;
-  for (std::size_t i = 0; i < made.fixedEdges.size(); i += 2)
-  {
-    fixed.push_back(EditableMesh<Weighted>::edgeKey(
-      slotOfCorner(made.fixedEdges[i]), slotOfCorner(made.fixedEdges[i + 1])));
-  }
-  std::sort(fixed.begin(), fixed.end());
-  fresh.fix(fixed);
-  std::vector<std::uint32_t> hidden;
-  for (const std::int64_t id : made.hiddenIds)
-  {
-    hidden.push_back(slots[static_cast<std::size_t>(id)]);
-  }
-  sortAlongCurve(
-    hidden, [&fresh](std::uint32_t slot) { return fresh.vertex(slot); }, edit.monitor);
-  StepPoll poll(edit.monitor);
-  for (const std::uint32_t slot : hidden)
-  {
-    poll.step();
-    fresh.insert(slot);
   }
 }
 

@@ -108,7 +108,6 @@ private:
   std::vector<std::uint32_t> presentConstraints() const;
   ConstrainedTriangulation triangulationOf(
     const std::vector<std::uint32_t>& slots, const Options& options) const;
-  void writeFixedEdges(ConstrainedTriangulation& result) const;
 
   /// What there is with the mesh.
   struct Known

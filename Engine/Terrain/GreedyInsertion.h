@@ -46,7 +46,7 @@ struct InsertionLimits
   std::int64_t mostVertices;
 };
 
-/// @tparam Surface TerrainTriangulation, or TerrainChain
+/// @tparam Surface TerrainSurface, or TerrainChain
 template <class Surface>
 class GreedyInsertion
 {
@@ -81,11 +81,12 @@ public:
       [this](std::size_t cell)
       {
         this->monitor.poll();
-        const RoundedPlane plane(this->surface.corners(static_cast<std::uint32_t>(cell)));
-        for (const std::uint32_t p : this->lists[cell])
+        if (this->lists[cell].empty())
         {
-          this->consider(cell, p, plane.distance(this->points[p]));
+          return;
         }
+        this->findWorst(
+          cell, RoundedPlane(this->surface.corners(static_cast<std::uint32_t>(cell))));
       });
     for (std::size_t cell = 0; cell < this->lists.size(); ++cell)
     {
@@ -207,34 +208,62 @@ private:
     }
     this->lists.resize(this->surface.cellCount());
     this->worst.resize(this->surface.cellCount());
-    this->planes.clear();
     for (const std::uint32_t part : parts)
     {
-      this->planes.emplace_back(this->surface.corners(part));
       this->worst[part] = Worst();
     }
-    const std::uint32_t groupSize = this->points.groupEnd(v) - v;
-    std::size_t at = 0;
+    const std::uint32_t groupEnd = this->points.groupEnd(v);
     for (std::size_t i = 0; i < old.size(); ++i)
     {
-      this->moves += static_cast<std::int64_t>(this->taken[i].size());
-      for (const std::uint32_t p : this->taken[i])
-      {
-        this->poll.step();
-        if (p - v < groupSize)
-        {
-          continue; // at the vertex
-        }
-        at = this->surface.partOf(p, at);
-        this->lists[parts[at]].push_back(p);
-        this->consider(parts[at], p, this->planes[at].distance(this->points[p]));
-      }
-      this->taken[i].clear();
+      this->distribute(this->taken[i], v, groupEnd);
     }
-    for (const std::uint32_t part : parts)
+    for (std::size_t i = 0; i < parts.size(); ++i)
     {
-      this->enqueue(part);
+      if (!this->lists[parts[i]].empty())
+      {
+        this->findWorst(parts[i], RoundedPlane(this->surface.corners(parts[i])));
+        this->enqueue(parts[i]);
+      }
     }
+  }
+
+  /// Put points into the lists of their new cells, but for those at the new vertex.
+  void distribute(std::vector<std::uint32_t>& moved, std::uint32_t v, std::uint32_t groupEnd)
+  {
+    moved.erase(std::remove_if(moved.begin(), moved.end(),
+                  [this, v, groupEnd](std::uint32_t p)
+                  {
+                    this->points.prefetch(p);
+                    return p >= v && p < groupEnd;
+                  }),
+      moved.end());
+    this->moves += static_cast<std::int64_t>(moved.size());
+    this->surface.findParts(moved, this->partOf);
+    const std::vector<std::uint32_t>& parts = this->surface.parts();
+    for (std::size_t i = 0; i < moved.size(); ++i)
+    {
+      this->poll.step();
+      this->lists[parts[this->partOf[i]]].push_back(moved[i]);
+    }
+    moved.clear();
+  }
+
+  /// The farthest point of a cell, of several the lowest id.
+  void findWorst(std::size_t cell, const RoundedPlane& plane)
+  {
+    Worst found;
+    std::uint32_t id = NoIndex;
+    for (const std::uint32_t i : this->lists[cell])
+    {
+      const Vertex& p = this->points[i];
+      const double distance = plane.distance(p);
+      if (distance >= found.distance && (distance > found.distance || p.id < id))
+      {
+        found = { distance, i };
+        id = p.id;
+      }
+    }
+    this->worst[cell] = found;
   }
 
   /// Of a cell whose worst point is within the tolerance.
@@ -281,7 +310,7 @@ private:
   std::vector<Worst> worst;                      ///< by cell
   std::vector<Candidate> heap;                   ///< some of cells that have changed since
   std::vector<std::vector<std::uint32_t>> taken;
-  std::vector<RoundedPlane> planes;
+  std::vector<std::uint32_t> partOf;
   std::int64_t insertions = 0;
   std::int64_t moves = 0;
   std::int64_t reported = 0;

@@ -54,9 +54,13 @@ public:
   const std::vector<std::uint32_t>& replaced() const { return this->old; }
   const std::vector<std::uint32_t>& parts() const { return this->made; }
 
-  std::size_t partOf(std::uint32_t p, std::size_t) const
+  void findParts(const std::vector<std::uint32_t>& some, std::vector<std::uint32_t>& part) const
   {
-    return this->isBefore(p, this->middle) ? 0 : 1;
+    part.clear();
+    for (const std::uint32_t p : some)
+    {
+      part.push_back(this->isBefore(p, this->middle) ? 0 : 1);
+    }
   }
 
   std::int64_t checkCount() const { return 0; }

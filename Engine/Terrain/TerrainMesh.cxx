@@ -5,6 +5,7 @@
 /// cells, insertions, the triangulation of what was kept.
 #include <flipflop/TerrainMesh.h>
 
+#include "Edit/MeshSnapshot.h"
 #include "Geometry/LiftedGeometry.h"
 #include "Points/ConstraintInput.h"
 #include "Run/Run.h"
@@ -13,7 +14,7 @@
 #include "Terrain/GreedyInsertion.h"
 #include "Terrain/TerrainChain.h"
 #include "Terrain/TerrainPoints.h"
-#include "Terrain/TerrainTriangulation.h"
+#include "Terrain/TerrainSurface.h"
 #include <flipflop/ConvexHull.h>
 #include <flipflop/TriangulationQueries.h>
 
@@ -157,8 +158,7 @@ public:
     result.statistics.secondsLocate = this->watch.lap();
     if (start.dimension == 2)
     {
-      TerrainTriangulation surface(
-        this->geometry, points.data(), points.size(), start, this->first);
+      TerrainSurface surface(this->geometry, points, start, this->first);
       this->refine(points, surface, cellOf, result);
     }
     else
@@ -199,8 +199,8 @@ private:
     this->range.low[2] = this->range.high[2] = 0.0;
     this->range.smallest[2] = std::numeric_limits<double>::infinity();
     this->setArithmetic(chooseLiftedArithmetic(this->range));
-    const Lattice lattice = this->findLattice(2, TerrainTriangulation::Geometry::LatticeBits);
-    this->geometry = TerrainTriangulation::Geometry(this->range, this->arithmetic, lattice);
+    const Lattice lattice = this->findLattice(2, TerrainSurface::Geometry::LatticeBits);
+    this->geometry = TerrainSurface::Geometry(this->range, this->arithmetic, lattice);
   }
 
   /// Of each constraint's ends, the points that stand for their positions.
@@ -327,6 +327,36 @@ private:
     insertion.run();
     const double secondsGrow = this->watch.lap();
 
+    this->monitor.stage(0.9, 0.95, 1, "finishing");
+    this->write(points, surface, result);
+    result.statistics.insertions = insertion.insertionCount();
+    result.statistics.moves = insertion.moveCount();
+    result.statistics.edgeChecks = surface.checkCount();
+    result.statistics.exactCalls = surface.exactCalls();
+    result.statistics.secondsGrow = secondsGrow;
+    this->monitor.stage(0.95, 1.0, 1, "finishing");
+    this->measure(points, insertion, result);
+    this->listHidden(result);
+    result.statistics.secondsFinish = this->watch.lap();
+  }
+
+  void write(const TerrainPoints&, const TerrainSurface& surface, TerrainMesh& result)
+  {
+    writeCells(surface.triangulation(), this->source.count(), Options(), this->monitor, result);
+    result.sides = this->constraints.sides;
+    std::vector<MeshConstraint> all;
+    for (std::size_t i = 0; i < this->ends.size(); i += 2)
+    {
+      const auto number = static_cast<std::uint32_t>(i / 2);
+      all.push_back(
+        { TerrainSurface::slotOf(this->ends[i]), TerrainSurface::slotOf(this->ends[i + 1]), number,
+          number >= this->constraints.count - this->constraints.sides });
+    }
+    writeConstraints(surface.triangulation(), all, result);
+  }
+
+  void write(const TerrainPoints& points, const TerrainChain& surface, TerrainMesh& result)
+  {
     std::vector<std::uint32_t> vertexOf;
     ConstrainedTriangulation final =
       this->triangulate(points, this->kept.isKept, this->parts.options(0.9, 0.95), vertexOf);
@@ -334,19 +364,10 @@ private:
       (final.dimension == 0 || static_cast<std::size_t>(final.cellCount()) == surface.cellCount()));
     final.statistics = result.statistics;
     static_cast<ConstrainedTriangulation&>(result) = std::move(final);
-    result.statistics.insertions = insertion.insertionCount();
-    result.statistics.moves = insertion.moveCount();
-    result.statistics.edgeChecks = surface.checkCount();
-    result.statistics.exactCalls = surface.exactCalls();
-    result.statistics.secondsGrow = secondsGrow;
     for (std::int64_t& id : result.pointIds)
     {
       id = points[vertexOf[static_cast<std::size_t>(id)]].id;
     }
-    this->monitor.stage(0.95, 1.0, 1, "finishing");
-    this->measure(points, insertion, result);
-    this->listHidden(result);
-    result.statistics.secondsFinish = this->watch.lap();
   }
 
   /// The errors, and what follows from them.
@@ -418,7 +439,7 @@ private:
   const bool toleranceIsFraction;
   InsertionLimits limits;
   ProgressOfParts parts; ///< of calls of other parts of the engine
-  TerrainTriangulation::Geometry geometry;
+  TerrainSurface::Geometry geometry;
   KeptPoints kept;
   std::vector<std::uint32_t> ends;  ///< of the constraints: points, by number
   std::vector<std::uint32_t> first; ///< of each point of the first triangulation its number

@@ -30,6 +30,16 @@ public:
   const Vertex& operator[](std::uint32_t i) const { return this->points[i]; }
   const Vertex* data() const { return this->points.data(); }
 
+  /// Soon it will be read.
+  void prefetch(std::uint32_t i) const
+  {
+#if defined(__GNUC__)
+    __builtin_prefetch(this->points.data() + i);
+#else
+    (void)i;
+#endif
+  }
+
   bool areTogether(std::uint32_t i, std::uint32_t j) const
   {
     return this->points[i].x[0] == this->points[j].x[0] &&
