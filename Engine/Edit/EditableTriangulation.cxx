@@ -273,6 +273,16 @@ std::int64_t EditableTriangulation::constraintCount() const
   return this->state->constraints().count();
 }
 
+std::int64_t EditableTriangulation::constraintNumberCount() const
+{
+  return this->state->constraints().numberCount();
+}
+
+bool EditableTriangulation::containsConstraint(std::int64_t number) const
+{
+  return this->state->constraints().contains(number);
+}
+
 void EditableTriangulation::constraint(std::int64_t number, std::int64_t* ends) const
 {
   const ConstraintList& list = this->state->constraints();

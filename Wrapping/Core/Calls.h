@@ -133,6 +133,9 @@ void bindComplexes(nanobind::module_& module);
 /// Terrain meshes.
 void bindTerrain(nanobind::module_& module);
 
+/// Triangulations that are edited.
+void bindEdits(nanobind::module_& module);
+
 /// Streamed runs.
 void bindStream(nanobind::module_& module);
 

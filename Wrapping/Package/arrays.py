@@ -34,6 +34,7 @@ from ._alpha import AlphaComplex
 from ._batch import HullBatch, TriangulationBatch, convex_hulls, regular_triangulations
 from ._constrained import ConstrainedTriangulation
 from ._constraints import SplitConstraints, split_crossings
+from ._edit import EditableTriangulation
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
 from ._hull import ConvexHull, Diameter, OrientedBox, Side, convex_hull, convexify
 from ._las import LasPoints, read_las
@@ -52,6 +53,7 @@ __all__ = [
     "ConvexHull",
     "DeviceError",
     "Diameter",
+    "EditableTriangulation",
     "FlipFlopError",
     "HullBatch",
     "InputError",

@@ -129,6 +129,12 @@ public:
   /// How many constraints there are.
   std::int64_t constraintCount() const;
 
+  /// How many numbers were given to constraints: all are below.
+  std::int64_t constraintNumberCount() const;
+
+  /// Is there a constraint of this number?
+  bool containsConstraint(std::int64_t number) const;
+
   /// The ids of a constraint's ends.
   /// @param ends  receives two ids
   /// @throw Error BadArgument (no constraint has this number)
