@@ -5,10 +5,12 @@
 #ifndef flipflop_InterpolationTask_h
 #define flipflop_InterpolationTask_h
 
+#include "Query/PlaneShares.h"
 #include "Query/Sites.h"
 #include <flipflop/TriangulationQueries.h>
 
 #include <cstdint>
+#include <vector>
 
 namespace flipflop
 {
@@ -23,6 +25,13 @@ struct InterpolationTask
   double fill;
   bool areBySite = false; ///< values[site * components + c]: what is near is near in memory
   const SiteGradients* gradients = nullptr; ///< for Interpolation::CloughTocher
+  /// Of each query: receives its shares, by site. There are no values then.
+  PlaneShares* shares = nullptr;
+
+  bool isNatural() const
+  {
+    return this->method == Interpolation::Natural || this->method == Interpolation::Laplace;
+  }
 
   const double* valuesOf(const Sites& sites, std::uint32_t site) const
   {

@@ -133,14 +133,18 @@ public:
 
   /// @param shares is left as it is where the areas are nothing, or beyond the numbers' range
   /// @return false there
-  bool share(PlaneShares& shares)
+  bool share(NaturalMeasure wanted, PlaneShares& shares)
   {
     if (this->values.isVague())
     {
       return false;
     }
+    this->measure = wanted;
     this->addFromBorder();
-    this->addHidden();
+    if (wanted == NaturalMeasure::Area)
+    {
+      this->addHidden();
+    }
     Number all = this->values.number(0.0);
     for (const Part& part : this->parts)
     {
@@ -172,7 +176,7 @@ private:
   struct Part
   {
     std::uint32_t site;
-    Number area; ///< eight times
+    Number area; ///< eight times; or what is measured in its stead
     Size terms;  ///< the sum of the sizes of what it is a sum of
   };
 
@@ -225,6 +229,10 @@ private:
           this->begin(h);
           this->addSide(this->measured[i].side[corner], this->mesh.origin(nextHalfEdge(h)));
           this->addRing(h);
+          if (this->measure == NaturalMeasure::SideLength)
+          {
+            this->measureLastSide();
+          }
         }
       }
     }
@@ -292,6 +300,20 @@ private:
     this->way[1] = this->way[1] + height;
   }
 
+  /// The last side of the polygon, between the centers of the query, closes it. It is perpendicular
+  /// to the line from the query to the site, as the other sides are to their edges.
+  void measureLastSide()
+  {
+    const Pair towards = this->values.differences(this->space.query.x, this->site.x);
+    const int axis = Values::sizeOf(towards, 0) >= Values::sizeOf(towards, 1) ? 0 : 1;
+    Part& part = this->parts.back();
+    part.area = Values::at(this->sum, axis);
+    part.terms = this->way[axis];
+    this->values.checkSum(part.area, part.terms);
+    part.area = part.area / Values::at(towards, axis);
+    part.terms = Size(0);
+  }
+
   /// How deep the corner beyond a half-edge is below its triangle, times twice the area.
   Number depthBeyond(std::uint32_t h)
   {
@@ -321,6 +343,7 @@ private:
   Memory& memory;
   std::vector<Measured> measured; ///< as the region is ordered
   std::vector<Part> parts;
+  NaturalMeasure measure = NaturalMeasure::Area;
   Vertex site; ///< of the last part
   Pair sum;    ///< of its sides so far, before they are turned
   Size way[2]; ///< of their sizes
@@ -337,7 +360,7 @@ public:
   }
 
   template <class Space>
-  void share(const Space& space, std::uint32_t start, PlaneShares& shares)
+  void share(const Space& space, std::uint32_t start, NaturalMeasure measure, PlaneShares& shares)
   {
     this->region.clear();
     this->addIfAbove(space, start);
@@ -360,7 +383,7 @@ public:
           auto& memory = this->memoryFor<Space, Values>();
           return StolenAreas<Space, Values, std::decay_t<decltype(memory)>>(
             this->mesh, this->region, space, values, memory)
-            .share(shares);
+            .share(measure, shares);
         });
     }
   }
@@ -413,15 +436,15 @@ NaturalNeighbours::NaturalNeighbours(const FanMesh& mesh)
 NaturalNeighbours::~NaturalNeighbours() = default;
 
 void NaturalNeighbours::share(
-  const SiteSigns::Narrow& space, std::uint32_t start, PlaneShares& shares)
+  const SiteSigns::Narrow& space, std::uint32_t start, NaturalMeasure measure, PlaneShares& shares)
 {
-  this->state->share(space, start, shares);
+  this->state->share(space, start, measure, shares);
 }
 
 void NaturalNeighbours::share(
-  const SiteSigns::Wide& space, std::uint32_t start, PlaneShares& shares)
+  const SiteSigns::Wide& space, std::uint32_t start, NaturalMeasure measure, PlaneShares& shares)
 {
-  this->state->share(space, start, shares);
+  this->state->share(space, start, measure, shares);
 }
 
 }

@@ -87,13 +87,13 @@ public:
       this->put(index);
       return;
     }
-    if (this->task.method != Interpolation::Natural && location.kind == MeshLocation::Inside &&
+    if (!this->task.isNatural() && location.kind == MeshLocation::Inside &&
       std::is_same<Space, SiteSigns::Narrow>::value)
     {
       this->addInside(index, space, this->prepared.mesh.triangles[location.triangle].v);
       return;
     }
-    if (this->task.method != Interpolation::Natural || this->isBetweenTwo(location))
+    if (!this->task.isNatural() || this->isBetweenTwo(location))
     {
       linearShares(space, this->prepared.mesh, location, this->shares);
     }
@@ -171,7 +171,10 @@ private:
     {
       return false;
     }
-    this->natural.share(lifted, location.triangle, this->shares);
+    this->natural.share(lifted, location.triangle,
+      this->task.method == Interpolation::Laplace ? NaturalMeasure::SideLength
+                                                  : NaturalMeasure::Area,
+      this->shares);
     if (this->shares.empty())
     {
       linearShares(space, this->prepared.mesh, location, this->shares);
@@ -201,6 +204,11 @@ private:
   /// What shares make of the values. Without shares it is outside.
   void put(std::int64_t index, const PlaneShare* found, std::size_t count)
   {
+    if (this->task.shares)
+    {
+      this->task.shares[index].assign(found, found + count);
+      return;
+    }
     T* const to = this->results + index * this->task.components;
     if (this->task.gradients && this->prepared.dimension == 2 && count > 1)
     {

@@ -201,6 +201,7 @@ public:
   }
 
   static Size sizeOf(const Pair& x, int i) { return std::fabs(Arithmetic::highs(x)[i]); }
+  static Number at(const Pair& x, int i) { return Arithmetic::at(x, i); }
   static Pair pairOf(const Number& x, const Number& y) { return Arithmetic::pairOf(x, y); }
 
   /// u x v.
@@ -309,6 +310,7 @@ public:
   }
   static Pair pairOf(const Number& x, const Number& y) { return { { x, y } }; }
   static Size sizeOf(const Pair& x, int i) { return abs(x.high[i]); }
+  static Number at(const Pair& x, int i) { return x.high[i]; }
   static Number cross(const Pair& u, const Pair& v)
   {
     return u.high[0] * v.high[1] - u.high[1] * v.high[0];

@@ -115,7 +115,7 @@ void findEach(const PreparedTriangulation& prepared, const PointView& queries,
 void requireValues(
   const PreparedTriangulation& prepared, const InterpolationTask& task, bool isQueried)
 {
-  if (task.method == Interpolation::Natural)
+  if (task.isNatural())
   {
     prepared.requireRegular(
       "natural neighbours are those of a regular triangulation, not of a constrained one");
@@ -139,6 +139,40 @@ void interpolateEach(const PreparedTriangulation& prepared, InterpolationTask ta
     prepared, queries, result, options,
     [&](Monitor& monitor) { values.prepare(prepared, queries.count, task, monitor); },
     [&] { return PlaneInterpolator<double>(prepared, task, result); });
+}
+
+/// One query after another, by ascending ids.
+SiteShares withIds(const PreparedTriangulation& prepared, std::vector<PlaneShares>& found)
+{
+  SiteShares result;
+  result.offsets.allocate(found.size() + 1);
+  std::size_t total = 0;
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    result.offsets[i] = static_cast<std::int64_t>(total);
+    total += found[i].size();
+  }
+  result.offsets[found.size()] = static_cast<std::int64_t>(total);
+  result.ids.allocate(total);
+  result.shares.allocate(total);
+  eachChunk(found.size(), 1 << 12,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const auto idOf = [&prepared](const PlaneShare& share)
+        { return prepared.sites[share.site].id; };
+        std::sort(found[i].begin(), found[i].end(),
+          [&idOf](const PlaneShare& a, const PlaneShare& b) { return idOf(a) < idOf(b); });
+        auto at = static_cast<std::size_t>(result.offsets[i]);
+        for (const PlaneShare& share : found[i])
+        {
+          result.ids[at] = idOf(share);
+          result.shares[at++] = share.share;
+        }
+      }
+    });
+  return result;
 }
 
 }
@@ -226,6 +260,39 @@ void TriangulationQueries::interpolateCloughTocher(const double* values, std::in
     {
       interpolateEach(*this->prepared, { Interpolation::CloughTocher, values, components, outside },
         queries, result, options);
+    });
+}
+
+void TriangulationQueries::interpolateLaplace(const double* values, std::int64_t components,
+  const PointView& queries, double* result, const Options& options) const
+{
+  engineCall(
+    [&]
+    {
+      interpolateEach(*this->prepared, { Interpolation::Laplace, values, components, outside },
+        queries, result, options);
+    });
+}
+
+SiteShares TriangulationQueries::shares(
+  Interpolation method, const PointView& queries, const Options& options) const
+{
+  return engineCall(
+    [&]
+    {
+      if (method == Interpolation::CloughTocher)
+      {
+        throw badArgument("a smooth surface has no shares: it depends on gradients, too");
+      }
+      requireArray(queries, 2);
+      std::vector<PlaneShares> found(static_cast<std::size_t>(queries.count));
+      InterpolationTask task{ method, nullptr, 1, outside };
+      task.shares = found.data();
+      requireValues(*this->prepared, task, false);
+      eachPosition(
+        *this->prepared, queries, found.data(), options, [](Monitor&) {},
+        [&] { return PlaneInterpolator<double>(*this->prepared, task, nullptr); });
+      return withIds(*this->prepared, found);
     });
 }
 

@@ -192,6 +192,10 @@ def test_what_constrained_triangulations_have_not():
             call([0, 0])
     with pytest.raises(InputError, match="a constrained triangulation has no natural neighbours: take method='linear'"):
         ours.interpolate(range(81), [0, 0], "natural")
+    with pytest.raises(InputError, match="a constrained triangulation has no natural neighbours: take method='linear'"):
+        ours.interpolate(range(81), [0, 0], "laplace")
+    with pytest.raises(InputError, match="natural neighbours are those of a regular triangulation"):
+        ours.natural_neighbours([[0, 0]])
     with pytest.raises(AttributeError, match="frozen"):
         ours.dropped = 1
     arrays = (ours.constraints, ours.fixed_edges, ours.constraint_of, ours.boundary.offsets, ours.boundary.connectivity)

@@ -115,7 +115,7 @@ class TestEdit(unittest.TestCase):
         values = random.random(200)
         np.testing.assert_array_equal(edited.locate(positions), wanted.locate(positions))
         np.testing.assert_array_equal(edited.nearest(positions), wanted.nearest(positions))
-        for method in ("linear", "natural", "clough-tocher"):
+        for method in ("linear", "natural", "clough-tocher", "laplace"):
             np.testing.assert_array_equal(
                 edited.interpolate(values, positions, method), wanted.interpolate(values, positions, method)
             )

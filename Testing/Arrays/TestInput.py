@@ -291,7 +291,7 @@ def test_bounds_are_in_the_order_of_shapely():
         (lambda: validate(SQUARE), TypeError, r"result is what convex_hull\(\) or .* gives, not ndarray"),
         (lambda: regular_triangulation(SQUARE, []), ValueError, "not as many weights as points: .*0 weights"),
         (lambda: FLAT.interpolate([1, 2, 3, 4], SQUARE, []), TypeError,
-         r"method is one of 'linear', 'natural', 'clough-tocher', not \[\]"),
+         r"method is one of 'linear', 'natural', 'clough-tocher', 'laplace', not \[\]"),
         (lambda: FLAT.interpolate([1, 2, 3], SQUARE), ValueError, r"values are 4 numbers or rows.*shape \(3,\)"),
         (lambda: FLAT.interpolate([1, 2, 3, 10**400], SQUARE), TypeError,
          "values are real numbers that a double holds"),

@@ -216,7 +216,7 @@ def test_nearest():
 
 
 @pytest.mark.parametrize("weights", [None, RANDOM.random(100) * 1e-6], ids=["plain", "weighted"])
-@pytest.mark.parametrize("method", ["linear", "natural", "clough-tocher"])
+@pytest.mark.parametrize("method", ["linear", "natural", "clough-tocher", "laplace"])
 def test_interpolate(method, weights):
     points, places = RANDOM.random((100, 2)), RANDOM.random((300, 2)) * 1.2 - 0.1
     triangulation = regular_triangulation(points, weights)
@@ -232,13 +232,13 @@ def test_interpolate(method, weights):
     assert np.ndim(triangulation.interpolate(plane, points[4], method)) == 0
     rows = triangulation.interpolate(values, places, method)
     assert np.array_equal(rows[:, 1], triangulation.interpolate(values[:, 1], places, method), equal_nan=True)
-    with pytest.raises(ValueError, match="'natural', 'clough-tocher', not 'cubic'"):
+    with pytest.raises(ValueError, match="'natural', 'clough-tocher', 'laplace', not 'cubic'"):
         triangulation.interpolate(plane, places, "cubic")
     with pytest.raises(ValueError, match="values are 100 numbers or rows, not an array of shape"):
         triangulation.interpolate(plane[1:], places)
 
 
-@pytest.mark.parametrize("method", ["linear", "natural", "clough-tocher"])
+@pytest.mark.parametrize("method", ["linear", "natural", "clough-tocher", "laplace"])
 def test_images(method):
     points = RANDOM.random((80, 2)) * [30, 20] + [400, -7]
     triangulation = regular_triangulation(points)
@@ -294,7 +294,7 @@ def test_images_that_cannot_be():
     assert np.isnan(nothing.to_image([], shape=(2, 2), bounds=(0, 1, 0, 1)).array).all()
 
 
-@pytest.mark.parametrize("method", ["linear", "natural", "clough-tocher"])
+@pytest.mark.parametrize("method", ["linear", "natural", "clough-tocher", "laplace"])
 def test_values_and_places_of_any_shape(method):
     points, places = RANDOM.random((50, 2)), RANDOM.random((3, 4, 2)) * 1.4 - 0.2
     triangulation = regular_triangulation(points)
@@ -360,3 +360,30 @@ def test_triangulations_of_less(points):
     assert len(starts) == len(points) + 1 and len(links) == (2 if triangulation.dimension == 1 else 0)
     assert triangulation.locate([[9.0, 9.0]]).tolist() == [-1]
     assert triangulation.nearest([[9.0, 9.0]])[0] == (len(points[:2]) - 1 if len(points) else -1)
+
+
+@pytest.mark.parametrize("method", ["natural", "laplace", "linear"])
+@pytest.mark.parametrize("weighted", [False, True])
+def test_natural_neighbours_have_the_shares_of_values(method, weighted):
+    random = np.random.default_rng(11)
+    points = random.random((200, 2))
+    triangulation = regular_triangulation(points, random.random(200) * 0.01 if weighted else None)
+    places = np.concatenate([random.random((50, 2)), points[:3], [[9, 9]]])
+    indptr, ids, shares = triangulation.natural_neighbours(places, method)
+    assert indptr[-1] == indptr[-2] == len(ids) == len(shares)
+    values = random.random(200)
+    for i, place in enumerate(places[:-1]):
+        mine = slice(indptr[i], indptr[i + 1])
+        if mine.start == mine.stop:
+            assert triangulation.locate(place) < 0
+            continue
+        assert (np.diff(ids[mine]) > 0).all()
+        assert (shares[mine] >= 0).all()
+        np.testing.assert_allclose(shares[mine].sum(), 1, rtol=1e-14)
+        np.testing.assert_allclose(shares[mine] @ points[ids[mine]], place, atol=1e-13)
+        found = triangulation.interpolate(values, place, method)
+        np.testing.assert_allclose(shares[mine] @ values[ids[mine]], found, atol=1e-14)
+    with pytest.raises(ValueError, match="'natural', 'laplace', 'linear', not 'clough-tocher'"):
+        triangulation.natural_neighbours(places, "clough-tocher")
+    with pytest.raises(InputError, match="NaN or infinite: first at point 1"):
+        triangulation.natural_neighbours([[0, 0], [np.nan, 0]])

@@ -124,6 +124,25 @@ nb::tuple measured(std::int64_t cells, const Measure& measure)
     arrayOf(std::move(areas), { size }), arrayOf(std::move(centroids), { size, 2 }));
 }
 
+Interpolation methodOf(const std::string& name)
+{
+  return name == "natural"    ? Interpolation::Natural
+    : name == "laplace"       ? Interpolation::Laplace
+    : name == "clough-tocher" ? Interpolation::CloughTocher
+                              : Interpolation::Linear;
+}
+
+/// Where the shares of each position begin, and their ids and numbers.
+nb::tuple sharesOf(const Sites& self, const std::string& method, const InputArray& positions,
+  const Settings& settings)
+{
+  const PointView view = pointView(positions, 2);
+  SiteShares found = settings.run(
+    [&](const Options& options) { return self.queries.shares(methodOf(method), view, options); });
+  return nb::make_tuple(arrayOf(std::move(found.offsets)), arrayOf(std::move(found.ids)),
+    arrayOf(std::move(found.shares)));
+}
+
 Sites sitesOf(const InputArray& points, const std::optional<InputArray>& weights,
   const Handle<Triangulation>& triangulation, const Settings& settings)
 {
@@ -264,6 +283,14 @@ void bindQueries(nb::module_& module)
         return interpolated(values, positions, self.points, settings,
           [&](auto... arguments) { self.queries.interpolateNatural(arguments...); });
       })
+    .def("interpolate_laplace",
+      [](const Sites& self, const Values& values, const InputArray& positions,
+        const Settings& settings)
+      {
+        return interpolated(values, positions, self.points, settings,
+          [&](auto... arguments) { self.queries.interpolateLaplace(arguments...); });
+      })
+    .def("shares", &sharesOf)
     .def("interpolate_clough_tocher",
       [](const Sites& self, const Values& values, const InputArray& positions,
         const Settings& settings)
@@ -277,9 +304,7 @@ void bindQueries(nb::module_& module)
         const std::array<double, 4>& grid, std::int64_t rows, std::int64_t columns, double fill,
         bool isSingle, const Settings& settings, const std::array<std::int64_t, 2>& first)
       {
-        const Interpolation by = method == "natural" ? Interpolation::Natural
-          : method == "clough-tocher"                ? Interpolation::CloughTocher
-                                                     : Interpolation::Linear;
+        const Interpolation by = methodOf(method);
         return isSingle
           ? imageOf<float>(self, by, values, grid, first, rows, columns, fill, settings)
           : imageOf<double>(self, by, values, grid, first, rows, columns, fill, settings);

@@ -128,10 +128,10 @@ class ConstrainedTriangulation(RegularTriangulation):
     ) -> Lengths:
         """Values between the points' values, over each of `simplices`; as RegularTriangulation has it.
 
-        method="natural" is an InputError: natural neighbours are those of the triangulation without constraints. The
-        gradients of "clough-tocher" are estimated across constraints, too.
+        "natural" and "laplace" are an InputError: natural neighbours are those of the triangulation without
+        constraints. The gradients of "clough-tocher" are estimated across constraints, too.
         """
-        if method == "natural":
+        if method in ("natural", "laplace"):
             raise InputError(
                 "a constrained triangulation has no natural neighbours: take method='linear', or interpolate in the "
                 "triangulation of the points without constraints",

@@ -7,7 +7,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any, Self
+from typing import Any, Literal, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -240,6 +240,20 @@ class EditableTriangulation:
         """As RegularTriangulation has it: values by id, of which those that no point has are not used."""
         return self.snapshot().interpolate(
             values, points, method, fill_value=fill_value, threads=threads, non_finite=non_finite, progress=progress
+        )
+
+    def natural_neighbours(
+        self,
+        points: ArrayLike,
+        method: Literal["natural", "laplace", "linear"] = "natural",
+        *,
+        threads: int = 0,
+        non_finite: NonFinite = "error",
+        progress: Progress = None,
+    ) -> tuple[Ids, Ids, Floats]:
+        """As RegularTriangulation has it."""
+        return self.snapshot().natural_neighbours(
+            points, method, threads=threads, non_finite=non_finite, progress=progress
         )
 
     def to_image(

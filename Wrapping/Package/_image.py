@@ -17,7 +17,7 @@ from ._errors import InputError
 from ._input import values_of
 from ._results import refrozen
 
-Method = Literal["linear", "natural", "clough-tocher"]
+Method = Literal["linear", "natural", "clough-tocher", "laplace"]
 METHODS: tuple[str, ...] = get_args(Method)
 Transform = tuple[float, float, float, float, float, float]
 

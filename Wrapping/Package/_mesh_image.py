@@ -55,9 +55,8 @@ def to_image(
     bounds : 2 corners, or 4 numbers, optional
         ((x0, y0), (x1, y1)), or in VTK's order (x0, x1, y0, y1). By default the box of the points. Of shapely's order,
         as power_diagram(bounds=) takes it, pass numpy.reshape(bounds, (2, 2)).
-    method : {"linear", "natural", "clough-tocher"}
-        linear over each triangle; by natural neighbours; or by a smooth surface of cubic pieces, whose error is the
-        least where values are smooth
+    method : {"linear", "natural", "clough-tocher", "laplace"}
+        as for RegularTriangulation.interpolate(): that of "clough-tocher" has the least error where values are smooth
     fill_value : float
         what there is outside the convex hull of the points
     threads : int

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any, ClassVar, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -245,12 +245,14 @@ class RegularTriangulation(Cells):
             A masked one is NaN.
         points : array of shape (..., 2)
             as for locate()
-        method : {"linear", "natural", "clough-tocher"}
+        method : {"linear", "natural", "clough-tocher", "laplace"}
             linear over each of `simplices`; by natural neighbours (Sibson): each site counts by the area that the
             point's own power cell would take from the site's; or by a surface of cubic pieces, whose gradients at
             points are estimated from those around: smooth, and exact for quadratic functions up to rounding. Its error
             is the least where values are smooth; where they jump, it swings beyond them. With weights, the point's
-            weight in "natural" is linear over its triangle, so values still pass through the sites'.
+            weight in "natural" is linear over its triangle, so values still pass through the sites'. "laplace" has the
+            same neighbours as "natural", each by the side that its cell and the point's have in common, over its
+            distance.
         fill_value : float
             what there is where locate() is -1: by default NaN
 
@@ -269,6 +271,33 @@ class RegularTriangulation(Cells):
             found = np.where(np.isnan(found[..., -1:]), filled, found[..., :-1])
         shaped: Lengths = found.reshape(found.shape[:-1] + given.shape[1:])[()]
         return shaped
+
+    def natural_neighbours(
+        self,
+        points: ArrayLike,
+        method: Literal["natural", "laplace", "linear"] = "natural",
+        *,
+        threads: int = 0,
+        non_finite: NonFinite = "error",
+        progress: Progress = None,
+    ) -> tuple[Ids, Ids, Floats]:
+        """The natural neighbours of each point and their shares: (indptr, ids, shares).
+
+        Point i has ids[indptr[i]:indptr[i + 1]], ascending, whose shares sum to 1, but for rounding; none outside. The
+        value that interpolate() gives is the sum of the neighbours' values times their shares, but for rounding:
+        scipy.sparse.csr_array((shares, ids, indptr)) @ values.
+
+        Parameters
+        ----------
+        points : array of shape (m, 2), or (m, 3): x and y count
+        method : {"natural", "laplace", "linear"}
+            as for interpolate(); "linear" has the corners of the simplex
+        """
+        name = choice_of("method", method, ("natural", "laplace", "linear"))
+        array, left_out = points_of(points, ignores(non_finite))
+        chosen = settings(threads, "triangles", non_finite, "cpu", progress, left_out)
+        found = run(chosen, self._queries.shares, name, array)
+        return found[0], found[1], found[2]
 
     def to_image(
         self,

@@ -6,6 +6,7 @@
 #ifndef flipflop_TriangulationQueries_h
 #define flipflop_TriangulationQueries_h
 
+#include <flipflop/Buffer.h>
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/Options.h>
 #include <flipflop/PointView.h>
@@ -22,9 +23,10 @@ class PreparedTriangulation;
 /// How values are found between the sites.
 enum class Interpolation
 {
-  Linear,      ///< as by TriangulationQueries::interpolateLinear()
-  Natural,     ///< as by TriangulationQueries::interpolateNatural()
-  CloughTocher ///< as by TriangulationQueries::interpolateCloughTocher()
+  Linear,       ///< as by TriangulationQueries::interpolateLinear()
+  Natural,      ///< as by TriangulationQueries::interpolateNatural()
+  CloughTocher, ///< as by TriangulationQueries::interpolateCloughTocher()
+  Laplace       ///< as by TriangulationQueries::interpolateLaplace()
 };
 
 /// Where the pixels of an image are: at origin + index * spacing along each axis, computed in
@@ -56,6 +58,15 @@ struct ImageView
   {
   }
   ///@}
+};
+
+/// Of each of some queries, the sites that have a share in values there.
+struct SiteShares
+{
+  /// Where those of each query begin, ascending from 0; then the number of all.
+  Buffer<std::int64_t> offsets;
+  Buffer<std::int64_t> ids; ///< of sites, ascending for each query
+  Buffer<double> shares;    ///< of each of these: 0 to 1
 };
 
 /// A triangulation made ready for queries. It takes about 110 bytes a visible point.
@@ -178,6 +189,33 @@ public:
   /// @throw Error      as for interpolateLinear(); BadArgument also of a constrained triangulation
   void interpolateNatural(const double* values, std::int64_t components, const PointView& queries,
     double* result, const Options& options = Options()) const;
+
+  /// Values between the sites by Laplace's (non-Sibsonian) coordinates (V. V. Belikov, V. D.
+  /// Ivanov, V. K. Kontorovich, S. A. Korytnik, A. Y. Semenov, 1997). Were the query a site, its
+  /// power cell would have a side to that of each natural neighbour. The share of a neighbour is
+  /// the length of this side over the neighbour's distance, of the sum of all. They take less time
+  /// than natural ones, and all else that is said of these holds; but values are not smooth at the
+  /// circles around triangles.
+  /// @param values     as for interpolateLinear()
+  /// @param components as for interpolateLinear()
+  /// @param queries    as for interpolateLinear()
+  /// @param result     as for interpolateLinear()
+  /// @param options    as for locate()
+  /// @throw Error      as for interpolateNatural()
+  void interpolateLaplace(const double* values, std::int64_t components, const PointView& queries,
+    double* result, const Options& options = Options()) const;
+
+  /// The shares that sites have in values: the natural neighbours of each query, and their
+  /// coordinates; or the corners of its triangle. They sum to 1, but for rounding.
+  /// @param method  Natural, Laplace or Linear
+  /// @param queries positions
+  /// @param options as for locate()
+  /// @return        the shares of each query; none of one outside
+  /// @throw Error   as of the method's own call; BadArgument of CloughTocher, whose values depend
+  /// on
+  ///                gradients, too
+  SiteShares shares(
+    Interpolation method, const PointView& queries, const Options& options = Options()) const;
 
   /// Values between the sites by a smooth surface through them, of cubic pieces over each triangle
   /// (R. W. Clough and J. L. Tocher, 1965): values and gradients are continuous. On smooth

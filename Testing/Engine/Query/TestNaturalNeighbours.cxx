@@ -3,6 +3,7 @@
 /// @file
 /// Natural neighbour coordinates are shares that reproduce linear functions, at every range; they
 /// are the areas that power diagrams with and without the query differ by; and they are continuous.
+#include "Testing/Engine/Conformance/Compare.h"
 #include "Testing/Engine/Query/PlaneQueries.h"
 
 #include <flipflop/Measures.h>
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace flipflop
@@ -41,12 +43,19 @@ public:
     }
   }
 
-  std::vector<double> at(const Point& place) const
+  std::vector<double> at(const Point& place, Interpolation method = Interpolation::Natural) const
   {
     const Cloud one = { place };
     std::vector<double> shares(this->count);
-    this->queries.interpolateNatural(
-      this->unit.data(), static_cast<std::int64_t>(this->count), viewOf(one), shares.data());
+    const auto components = static_cast<std::int64_t>(this->count);
+    if (method == Interpolation::Laplace)
+    {
+      this->queries.interpolateLaplace(this->unit.data(), components, viewOf(one), shares.data());
+    }
+    else
+    {
+      this->queries.interpolateNatural(this->unit.data(), components, viewOf(one), shares.data());
+    }
     return shares;
   }
 
@@ -106,14 +115,17 @@ TEST_P(NaturalNeighbours, AreSharesWithThePlaceForTheirMean)
       coordinates.queries.locate(viewOf(places), cells.data());
       for (std::size_t i = 0; i < places.size(); ++i)
       {
-        const std::vector<double> shares = coordinates.at(places[i]);
-        if (cells[i] < 0)
+        for (const Interpolation method : { Interpolation::Natural, Interpolation::Laplace })
         {
-          ASSERT_TRUE(std::all_of(
-            shares.begin(), shares.end(), [](double share) { return std::isnan(share); }));
-          continue;
+          const std::vector<double> shares = coordinates.at(places[i], method);
+          if (cells[i] < 0)
+          {
+            ASSERT_TRUE(std::all_of(
+              shares.begin(), shares.end(), [](double share) { return std::isnan(share); }));
+            continue;
+          }
+          ASSERT_NO_FATAL_FAILURE(expectShares(sites, places[i], shares));
         }
-        ASSERT_NO_FATAL_FAILURE(expectShares(sites, places[i], shares));
       }
       for (const std::int64_t id : coordinates.triangulation.pointIds)
       {
@@ -206,6 +218,131 @@ TEST(NaturalNeighbour, AreWhatPowerDiagramsDifferBy)
   EXPECT_GT(hiding, 5);
 }
 
+/// Laplace's shares, by the centers of the triangles around the place once it is a site.
+std::map<std::int64_t, double> laplaceShares(const Cloud& sites, const Point& place)
+{
+  Cloud with = sites;
+  with.push_back(place);
+  const auto id = static_cast<std::int64_t>(sites.size());
+  std::map<std::int64_t, std::vector<Point>> centers; // by neighbour
+  for (const Cell& cell : cellsOf(triangulationOf(with, FacetMode::Triangles)))
+  {
+    if (std::find(cell.begin(), cell.end(), id) == cell.end())
+    {
+      continue;
+    }
+    const Point& a = with[static_cast<std::size_t>(cell[0])];
+    double u[2][2], height[2];
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      const Point& b = with[static_cast<std::size_t>(cell[k + 1])];
+      u[k][0] = b[0] - a[0];
+      u[k][1] = b[1] - a[1];
+      height[k] = (u[k][0] * u[k][0] + u[k][1] * u[k][1] + a[2] - b[2]) / 2;
+    }
+    const double det = u[0][0] * u[1][1] - u[0][1] * u[1][0];
+    const Point center = { (height[0] * u[1][1] - height[1] * u[0][1]) / det,
+      (height[1] * u[0][0] - height[0] * u[1][0]) / det, 0 };
+    for (const std::int64_t corner : cell)
+    {
+      centers[corner].push_back({ a[0] + center[0], a[1] + center[1], 0 });
+    }
+  }
+  centers.erase(id);
+  std::map<std::int64_t, double> shares;
+  double all = 0;
+  for (const auto& [neighbour, two] : centers)
+  {
+    if (two.size() != 2)
+    {
+      return {}; // the place is on the border
+    }
+    const Point& site = sites[static_cast<std::size_t>(neighbour)];
+    shares[neighbour] = std::hypot(two[0][0] - two[1][0], two[0][1] - two[1][1]) /
+      std::hypot(site[0] - place[0], site[1] - place[1]);
+    all += shares[neighbour];
+  }
+  for (auto& share : shares)
+  {
+    share.second /= all;
+  }
+  return shares;
+}
+
+TEST(NaturalNeighbour, LaplacesAreSidesOverDistances)
+{
+  int compared = 0;
+  for (const double weight : { 0.0, 0.01 })
+  {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    {
+      const Cloud sites = randomSites(40, weight, seed);
+      const Coordinates coordinates(sites, FacetMode::Triangles);
+      std::vector<double> weights;
+      for (const Point& site : sites)
+      {
+        weights.push_back(site[2]);
+      }
+      Random random(seed);
+      for (int i = 0; i < 30; ++i)
+      {
+        Point place = { random.uniform(), random.uniform(), 0 };
+        const std::vector<double> shares = coordinates.at(place, Interpolation::Laplace);
+        const Cloud one = { place };
+        coordinates.queries.interpolateLinear(weights.data(), 1, viewOf(one), &place[2]);
+        const std::map<std::int64_t, double> wanted =
+          std::isnan(place[2]) ? std::map<std::int64_t, double>() : laplaceShares(sites, place);
+        for (const auto& share : wanted)
+        {
+          EXPECT_NEAR(shares[static_cast<std::size_t>(share.first)], share.second, 1e-6)
+            << placeText(place);
+          ++compared;
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 1500);
+}
+
+TEST(NaturalNeighbour, SharesAreThoseOfTheValues)
+{
+  Random random(21);
+  for (const double weight : { 0.0, 0.02 })
+  {
+    const Cloud sites = randomSites(60, weight, 4);
+    const Coordinates coordinates(sites, FacetMode::Triangles);
+    Cloud places = placesAmong(sites, 5, random);
+    places.push_back({ 100, 100, 0 });
+    for (const Interpolation method : { Interpolation::Natural, Interpolation::Laplace })
+    {
+      Options options;
+      const SiteShares found = coordinates.queries.shares(method, viewOf(places), options);
+      ASSERT_EQ(found.offsets.size(), places.size() + 1);
+      ASSERT_EQ(found.ids.size(), static_cast<std::size_t>(found.offsets[places.size()]));
+      for (std::size_t i = 0; i < places.size(); ++i)
+      {
+        std::vector<double> wanted = coordinates.at(places[i], method);
+        std::int64_t last = -1;
+        for (std::int64_t k = found.offsets[i]; k < found.offsets[i + 1]; ++k)
+        {
+          const std::int64_t id = found.ids[static_cast<std::size_t>(k)];
+          ASSERT_LT(std::exchange(last, id), id);
+          ASSERT_EQ(
+            wanted[static_cast<std::size_t>(id)], found.shares[static_cast<std::size_t>(k)]);
+          wanted[static_cast<std::size_t>(id)] = 0;
+        }
+        // The others have none; outside there are no neighbours.
+        for (const double other : wanted)
+        {
+          ASSERT_TRUE(other == 0 || (std::isnan(other) && last < 0));
+        }
+      }
+    }
+    expectError([&] { coordinates.queries.shares(Interpolation::CloughTocher, viewOf(places)); },
+      ErrorCode::BadArgument);
+  }
+}
+
 /// On an edge a place is in two triangles, and a step away in one.
 TEST(NaturalNeighbour, AreContinuous)
 {
@@ -223,13 +360,16 @@ TEST(NaturalNeighbour, AreContinuous)
           const Point& b = sites[static_cast<std::size_t>(cell[(e + 1) % 3])];
           for (const double t : { 0.25, 0.5 })
           {
+            const Interpolation method =
+              t == 0.25 ? Interpolation::Natural : Interpolation::Laplace;
             const std::vector<double> here =
-              coordinates.at({ a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), 0 });
+              coordinates.at({ a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), 0 }, method);
             for (const double step : { 1e-9, -1e-9 })
             {
               const std::vector<double> beside =
                 coordinates.at({ a[0] + t * (b[0] - a[0]) - step * (b[1] - a[1]),
-                  a[1] + t * (b[1] - a[1]) + step * (b[0] - a[0]), 0 });
+                                 a[1] + t * (b[1] - a[1]) + step * (b[0] - a[0]), 0 },
+                  method);
               for (std::size_t i = 0; i < sites.size(); ++i)
               {
                 // Beyond the border there is nothing.
