@@ -151,9 +151,9 @@ void EditableState::rollback() noexcept
   this->setGeometry();
 }
 
-EditableState::Edit EditableState::beginEdit(Monitor& monitor, const Options& options)
+EditableState::Edit EditableState::beginEdit(Monitor& monitor, ProgressOfParts& parts)
 {
-  Edit edit{ monitor, options, std::nullopt };
+  Edit edit{ monitor, parts, std::nullopt };
   this->known.divided = 0;
   if (this->list.count() > 0)
   {
@@ -175,7 +175,7 @@ bool EditableState::paysToRemake(std::size_t edits) const
   return edits > Few && 10 * edits >= static_cast<std::size_t>(this->known.present);
 }
 
-void EditableState::insert(const PointSource& points, Monitor& monitor, const Options& options)
+void EditableState::insert(const PointSource& points, Monitor& monitor, ProgressOfParts& parts)
 {
   this->admit(points);
   std::vector<std::uint32_t> slots;
@@ -192,7 +192,7 @@ void EditableState::insert(const PointSource& points, Monitor& monitor, const Op
     }
   }
   this->known.present += static_cast<std::int64_t>(slots.size());
-  Edit edit = this->beginEdit(monitor, options);
+  Edit edit = this->beginEdit(monitor, parts);
   if (this->paysToRemake(slots.size()))
   {
     for (const std::uint32_t slot : slots)
@@ -263,7 +263,7 @@ void EditableState::findSpan(std::uint32_t from)
 }
 
 void EditableState::remove(
-  const std::vector<std::uint32_t>& slots, Monitor& monitor, const Options& options)
+  const std::vector<std::uint32_t>& slots, Monitor& monitor, ProgressOfParts& parts)
 {
   for (std::size_t i = 0; i < slots.size(); ++i)
   {
@@ -273,7 +273,7 @@ void EditableState::remove(
         static_cast<std::int64_t>(i), std::int64_t(slots[i]) - 1);
     }
   }
-  Edit edit = this->beginEdit(monitor, options);
+  Edit edit = this->beginEdit(monitor, parts);
   this->known.present -= static_cast<std::int64_t>(slots.size());
   bool remakes = this->hasTriangles() && this->paysToRemake(slots.size());
   StepPoll poll(monitor);
@@ -314,7 +314,7 @@ void EditableState::removeWaiting(std::uint32_t slot)
 }
 
 void EditableState::move(const std::vector<std::uint32_t>& slots, const PointSource& points,
-  bool keepWeights, Monitor& monitor, const Options& options)
+  bool keepWeights, Monitor& monitor, ProgressOfParts& parts)
 {
   std::vector<double> given(3 * slots.size());
   PointFrame next = this->known.frame;
@@ -331,7 +331,7 @@ void EditableState::move(const std::vector<std::uint32_t>& slots, const PointSou
   {
     this->setFrame(next);
   }
-  Edit edit = this->beginEdit(monitor, options);
+  Edit edit = this->beginEdit(monitor, parts);
   bool remakes = !this->hasTriangles() || this->paysToRemake(slots.size());
   // Constraints go with the points. Only where they are in the end they must not cross.
   std::vector<std::uint32_t> carried;

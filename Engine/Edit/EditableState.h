@@ -14,6 +14,7 @@
 #include "Edit/PointFrame.h"
 #include "Points/PointSource.h"
 #include "Support/Monitor.h"
+#include "Support/ProgressOfParts.h"
 #include <flipflop/EditableTriangulation.h>
 
 #include <cstdint>
@@ -28,6 +29,8 @@ namespace flipflop
 class EditableState
 {
 public:
+  EditableState() { this->commit(); }
+
   /// The slot of a point. Ids count from 0, slots from 1.
   static std::uint32_t slotOf(std::int64_t id) { return static_cast<std::uint32_t>(id) + 1; }
 
@@ -40,10 +43,10 @@ public:
   ///@{
   /// Edits of points, of which nothing is final before commit().
   /// @param points as they were given; those that are not finite are left out
-  void insert(const PointSource& points, Monitor& monitor, const Options& options);
-  void remove(const std::vector<std::uint32_t>& slots, Monitor& monitor, const Options& options);
+  void insert(const PointSource& points, Monitor& monitor, ProgressOfParts& parts);
+  void remove(const std::vector<std::uint32_t>& slots, Monitor& monitor, ProgressOfParts& parts);
   void move(const std::vector<std::uint32_t>& slots, const PointSource& points, bool keepWeights,
-    Monitor& monitor, const Options& options);
+    Monitor& monitor, ProgressOfParts& parts);
   /// @param ends slots, two a constraint
   /// @throw Error ConstraintsCross (index: the constraint, by its index here), BadArgument
   void insertConstraints(const std::vector<std::uint32_t>& ends, Monitor& monitor);
@@ -88,10 +91,10 @@ private:
   struct Edit
   {
     Monitor& monitor;
-    const Options& options;
+    ProgressOfParts& parts;                      ///< of calls of other parts of the engine
     std::optional<ConstrainedEdits> constrained; ///< while there are triangles and constraints
   };
-  Edit beginEdit(Monitor& monitor, const Options& options);
+  Edit beginEdit(Monitor& monitor, ProgressOfParts& parts);
   void endEdit(const Edit& edit);
 
   void insertSlot(std::uint32_t slot, Edit& edit);

@@ -96,9 +96,8 @@ ConstrainedTriangulation EditableState::triangulationOf(
 void EditableState::triangulate(Edit& edit)
 {
   const std::vector<std::uint32_t> slots = this->presentSlots();
-  Options options = edit.options;
-  options.facets = FacetMode::Triangles;
-  const ConstrainedTriangulation made = this->triangulationOf(slots, options);
+  const ConstrainedTriangulation made = this->triangulationOf(slots, edit.parts.options(0.1, 0.8));
+  edit.monitor.stage(0.8, 1.0, 1, "editing");
   this->inMesh(
     [&](auto& m)
     {

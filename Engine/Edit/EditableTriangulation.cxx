@@ -100,19 +100,21 @@ std::vector<std::uint32_t> slotsOf(
     "an id must be of a point that is in the triangulation", EditableState::slotOf);
 }
 
-/// edit (Monitor&): all of it is done, or nothing.
+/// edit (Monitor&, ProgressOfParts&): all of it is done, or nothing.
 template <class Edit>
 void inEdit(EditableState& state, std::int64_t points, const Options& options, const Edit& edit)
 {
   Monitor monitor(options);
+  ProgressOfParts parts(options);
   ArenaLoan arena(threadCount(options.threads, points));
   arena.execute(
     [&]
     {
       try
       {
-        edit(monitor);
-        monitor.poll();
+        monitor.stage(0.0, 0.1, 1, "editing");
+        edit(monitor, parts);
+        monitor.stage(1.0, 1.0, 1);
         state.commit();
       }
       catch (...)
@@ -147,7 +149,8 @@ EditableTriangulation::EditableTriangulation(
       const bool mayIgnore = options.nonFinite == NonFinitePolicy::Ignore;
       const PointSource source = sourceOf(points, weights, mayIgnore);
       inEdit(*this->state, points.count, options,
-        [&](Monitor& monitor) { this->state->insert(source, monitor, options); });
+        [&](Monitor& monitor, ProgressOfParts& parts)
+        { this->state->insert(source, monitor, parts); });
     });
 }
 
@@ -169,8 +172,12 @@ EditableTriangulation::~EditableTriangulation() = default;
 
 std::int64_t EditableTriangulation::insert(double x, double y, double weight)
 {
-  const double point[3] = { x, y, weight };
-  return this->insert(PointView(point, 1), WeightView(point + 2, 1), oneThread());
+  return engineCall(
+    [&]
+    {
+      const double point[3] = { x, y, weight };
+      return this->insert(PointView(point, 1), WeightView(point + 2, 1), oneThread());
+    });
 }
 
 std::int64_t EditableTriangulation::insert(
@@ -182,14 +189,15 @@ std::int64_t EditableTriangulation::insert(
       const std::int64_t first = this->state->idCount();
       const PointSource source = sourceOf(points, weights);
       inEdit(*this->state, points.count, options,
-        [&](Monitor& monitor) { this->state->insert(source, monitor, options); });
+        [&](Monitor& monitor, ProgressOfParts& parts)
+        { this->state->insert(source, monitor, parts); });
       return first;
     });
 }
 
 void EditableTriangulation::remove(std::int64_t id)
 {
-  this->remove(&id, 1, oneThread());
+  engineCall([&] { this->remove(&id, 1, oneThread()); });
 }
 
 void EditableTriangulation::remove(
@@ -200,14 +208,19 @@ void EditableTriangulation::remove(
     {
       const std::vector<std::uint32_t> slots = slotsOf(*this->state, ids, count);
       inEdit(*this->state, count, options,
-        [&](Monitor& monitor) { this->state->remove(slots, monitor, options); });
+        [&](Monitor& monitor, ProgressOfParts& parts)
+        { this->state->remove(slots, monitor, parts); });
     });
 }
 
 void EditableTriangulation::move(std::int64_t id, double x, double y)
 {
-  const double point[2] = { x, y };
-  this->move(&id, PointView(point, 1, 2), WeightView(), oneThread());
+  engineCall(
+    [&]
+    {
+      const double point[2] = { x, y };
+      this->move(&id, PointView(point, 1, 2), WeightView(), oneThread());
+    });
 }
 
 void EditableTriangulation::move(const std::int64_t* ids, const PointView& points,
@@ -219,8 +232,8 @@ void EditableTriangulation::move(const std::int64_t* ids, const PointView& point
       const PointSource source = sourceOf(points, weights);
       const std::vector<std::uint32_t> slots = slotsOf(*this->state, ids, points.count);
       inEdit(*this->state, points.count, options,
-        [&](Monitor& monitor)
-        { this->state->move(slots, source, !weights.data, monitor, options); });
+        [&](Monitor& monitor, ProgressOfParts& parts)
+        { this->state->move(slots, source, !weights.data, monitor, parts); });
     });
 }
 
@@ -247,7 +260,7 @@ std::int64_t EditableTriangulation::insertConstraints(
           ends.push_back(EditableState::slotOf(id));
         });
       inEdit(*this->state, 1, options,
-        [&](Monitor& monitor) { this->state->insertConstraints(ends, monitor); });
+        [&](Monitor& monitor, ProgressOfParts&) { this->state->insertConstraints(ends, monitor); });
       return first;
     });
 }
@@ -264,7 +277,7 @@ void EditableTriangulation::removeConstraints(
         "a number must be of a constraint that is in the triangulation",
         [](std::int64_t number) { return static_cast<std::uint32_t>(number); });
       inEdit(*this->state, 1, options,
-        [&](Monitor& monitor) { this->state->removeConstraints(all, monitor); });
+        [&](Monitor& monitor, ProgressOfParts&) { this->state->removeConstraints(all, monitor); });
     });
 }
 

@@ -13,31 +13,35 @@
 namespace flipflop
 {
 
-/// For each of some points, bit s: it is left of spoke s; and: a rounded value does not tell.
-struct TerrainSurface::SpokeSigns
+namespace
 {
-  double dx[Block], dy[Block]; ///< relative to the new vertex, rounded
-  std::uint64_t left[Block], open[Block];
+
+constexpr std::size_t Block = 64;
+constexpr std::size_t MostSpokes = 32; ///< for a bit each
+
+/// On which side of the spokes some points are.
+struct SpokeSigns
+{
+  double x[MostSpokes], y[MostSpokes];    ///< of the spokes, relative to the new vertex, rounded
+  double dx[Block], dy[Block];            ///< of the points
+  std::uint64_t left[Block], open[Block]; ///< bit s: left of spoke s; a rounded value does not tell
 };
 
 /// As the filter of orientations does, for all points at once.
 FF_VECTOR_CLONES
-void TerrainSurface::findSigns(
-  SpokeSigns& signs, std::size_t size, const Spoke* spokes, std::size_t count)
+void findSigns(SpokeSigns& signs, std::size_t size, std::size_t spokes)
 {
   for (std::size_t i = 0; i < size; ++i)
   {
     signs.left[i] = signs.open[i] = 0;
   }
-  for (std::size_t s = 0; s < count; ++s)
+  for (std::size_t s = 0; s < spokes; ++s)
   {
-    const double x = spokes[s].x;
-    const double y = spokes[s].y;
     const std::uint64_t bit = std::uint64_t(1) << s;
     for (std::size_t i = 0; i < size; ++i)
     {
-      const double toLeft = x * signs.dy[i];
-      const double toRight = y * signs.dx[i];
+      const double toLeft = signs.x[s] * signs.dy[i];
+      const double toRight = signs.y[s] * signs.dx[i];
       const double det = toLeft - toRight;
       const double most = std::fabs(toLeft) + std::fabs(toRight);
       const bool isKnown = (std::fabs(det) > PlaneError * most) & (most > PlaneFloor);
@@ -45,6 +49,8 @@ void TerrainSurface::findSigns(
       signs.open[i] |= isKnown ? 0 : bit;
     }
   }
+}
+
 }
 
 TerrainSurface::TerrainSurface(const Geometry& signs, const TerrainPoints& terrainPoints,
@@ -170,12 +176,14 @@ void TerrainSurface::findPartsOfBlock(
     signs.dx[i] = x[0] - origin[0];
     signs.dy[i] = x[1] - origin[1];
   }
-  findSigns(signs, size, this->spokes.data(), count);
   std::uint32_t real = 0;
   for (std::size_t s = 0; s < count; ++s)
   {
+    signs.x[s] = this->spokes[s].x;
+    signs.y[s] = this->spokes[s].y;
     real |= this->spokes[s].slot != 0 ? 1u << s : 0u;
   }
+  findSigns(signs, size, count);
   const auto next = [count](std::uint32_t bits) { return bits >> 1 | (bits & 1) << (count - 1); };
   const std::uint32_t parts = real & next(real);
   const std::uint32_t last = parts & ~next(parts); // on the border

@@ -56,19 +56,12 @@ public:
   std::int64_t exactCalls() const { return this->mesh.signs().unraised().predicateCounts().exact; }
 
 private:
-  static constexpr std::size_t Block = 64;
-  static constexpr std::size_t MostSpokes = 32; ///< for a bit each
-
   /// An edge from the new vertex: the first of a part. Its end is another one's first.
   struct Spoke
   {
     double x, y; ///< relative to the vertex, rounded
     std::uint32_t slot;
   };
-
-  struct SpokeSigns;
-  static void findSigns(
-    SpokeSigns& signs, std::size_t size, const Spoke* spokes, std::size_t count);
 
   void findSpokes();
   bool isLeftOf(const Spoke& spoke, const Vertex& p) const;

@@ -33,7 +33,7 @@ PROMISED = {
 # The modules of a folder of the library: each may use those before it.
 MODULES = {
     "Engine": ["Support", "Points", "Predicates", "Mesh", "Geometry", "FlipFlop", "Finish", "Run",
-               "Surface", "PowerDiagram", "Query", "Validate", "Alpha", "Constraints", "Terrain",
+               "Surface", "PowerDiagram", "Query", "Validate", "Alpha", "Constraints", "Edit", "Terrain",
                "Blocks", "Stream", "Transport"],
     "Cuda": ["Rounds", "Device", "Choice"],
 }
@@ -41,7 +41,9 @@ MODULES = {
 
 # Public functions that compute with no coordinate.
 WITHOUT_NUMBERS = {"BlockRun::pointsReceived", "adviseHugePages", "copyFromDevice", "cudaStatus", "describe",
-                   "releaseCudaMemory"}
+                   "releaseCudaMemory", *("EditableTriangulation::" + name for name in (
+                       "constraint", "constraintCount", "constraintNumberCount", "contains", "containsConstraint",
+                       "dividedEdges", "idCount", "pointCount"))}
 
 
 def of_page(page):

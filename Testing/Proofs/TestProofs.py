@@ -28,7 +28,7 @@ LITERAL = re.compile(r"\b0x[0-9a-fA-F.]+p[-+]?\d+|\b\d+\.?\d*e[-+]?\d+|\b(?:\w+:
 # Numbers with an exponent that bound no error: what they are instead.
 OTHER = {
     "Engine/Finish/Measure.h": ("fixed point", "0x1p50", "0x1p31", "0x1p-50", "0x1p-81"),
-    "Engine/Run/Run.cxx": ("where a lattice is looked for", "1e-60", "1e60", "0x1p-10"),
+    "Engine/Points/ScaledRange.h": ("where a lattice is looked for", "1e-60", "1e60", "0x1p-10"),
     "Engine/Constraints/ConstraintCrossings.cxx": ("units of a count of units", "0x1p-52", "0x1p-1074"),
     "Engine/Geometry/LiftedGeometry.h": ("lattices (lattice.gappa), and no overflow", "0x1p25", "0x1p1000", "0x1p13"),
     "Engine/Geometry/HullLocator.cxx": ("a guard against division by zero", "1e-20", "1e-30", "1e-30"),

@@ -48,8 +48,11 @@ public:
   explicit EditableTriangulation(const PointView& points, const WeightView& weights = WeightView(),
     const Options& options = Options());
 
+  ///@{
+  /// @throw Error OutOfMemory
   EditableTriangulation(const EditableTriangulation& other);
   EditableTriangulation& operator=(const EditableTriangulation& other);
+  ///@}
   ///@{
   /// @p other may only be destroyed or assigned to afterwards.
   EditableTriangulation(EditableTriangulation&& other) noexcept;
@@ -59,6 +62,7 @@ public:
 
   /// Insert a point. At a position with a point already, or beneath others by its weight, it is
   /// hidden, until these are gone.
+  /// @param x,y    its position
   /// @param weight a squared length; any finite number
   /// @return       its id
   /// @throw Error  NonFinite, TooManyPoints, OutOfMemory
@@ -136,7 +140,8 @@ public:
   bool containsConstraint(std::int64_t number) const;
 
   /// The ids of a constraint's ends.
-  /// @param ends  receives two ids
+  /// @param number of the constraint
+  /// @param ends   receives two ids
   /// @throw Error BadArgument (no constraint has this number)
   void constraint(std::int64_t number, std::int64_t* ends) const;
 
@@ -153,6 +158,7 @@ public:
   bool contains(std::int64_t id) const;
 
   /// Where a point is, and its weight.
+  /// @param id     of the point
   /// @param values receives x, y and the weight
   /// @throw Error  BadArgument (no point has this id)
   void point(std::int64_t id, double* values) const;
@@ -160,6 +166,7 @@ public:
   /// A triangle that holds a position, its border included: of several, the first in the order of
   /// snapshots. Its corners are points of the triangulation; with weights, one that is exactly on
   /// the facet of others may be among them, which a snapshot hides.
+  /// @param x,y     the position
   /// @param corners receives three ids, counter-clockwise, the lowest first
   /// @return        false: the position is outside, or there is no triangle
   /// @throw Error   NonFinite, OutOfMemory

@@ -8,6 +8,7 @@
 #include <flipflop/Certificate.h>
 #include <flipflop/Convexify.h>
 #include <flipflop/EdgeLengths.h>
+#include <flipflop/EditableTriangulation.h>
 #include <flipflop/Measures.h>
 #include <flipflop/Neighbors.h>
 #include <flipflop/TriangulationQueries.h>
@@ -183,6 +184,17 @@ void addRuns(Table& table, const CallInputs& given)
       const std::int64_t line[] = { 0, 1 };
       return bitsOf(
         terrainMesh(points, WeightView(), ConstraintView(line, 1), { 0.3, 1000 }, options));
+    });
+  table.add("EditableTriangulation", sites, true, true, refused,
+    [](Points points, Weights weights, const Options& options)
+    {
+      EditableTriangulation edited(points, weights, options);
+      const std::int64_t some[] = { 3, 1, 4, 15 };
+      Options quiet;
+      quiet.threads = options.threads;
+      edited.remove(some, 4, quiet);
+      edited.insert(points, weights, quiet);
+      return bitsOf(edited.snapshot(quiet));
     });
   table.add("fitPlane", body, false, false, NonFinitePoint::IsLeftOut,
     [](Points points, Weights, const Options& options)

@@ -6,7 +6,9 @@
 #define flipflop_test_EditHistory_h
 
 #include "Testing/Engine/Calls/Bits.h"
+#include "Testing/Engine/Conformance/Compare.h"
 #include "Testing/Engine/Inputs/Inputs.h"
+#include "Testing/Engine/References/ReferenceConstrained.h"
 #include <flipflop/EditableTriangulation.h>
 #include <flipflop/RegularTriangulation.h>
 
@@ -200,6 +202,10 @@ public:
         static_cast<Triangulation&>(wanted) =
           regularTriangulation(view(left), this->weightsOf(left), options);
       }
+      if (facets == FacetMode::Polygons && left.size() <= MostByForce)
+      {
+        this->checkByForce(left, ends, wanted);
+      }
       rename(wanted.pointIds, this->present);
       rename(wanted.hiddenIds, this->present);
       rename(wanted.constraintOf, this->numbers);
@@ -216,6 +222,24 @@ public:
   std::vector<std::int64_t> numbers;                    ///< of those that are there
 
 private:
+  static constexpr std::size_t MostByForce = 8;
+
+  /// Of few points, by rationals: each triple of points, or flips.
+  void checkByForce(const Cloud& left, const std::vector<std::int64_t>& ends,
+    const ConstrainedTriangulation& found) const
+  {
+    std::vector<Segment> segments;
+    for (std::size_t i = 0; i < ends.size(); i += 2)
+    {
+      segments.push_back({ ends[i], ends[i + 1] });
+    }
+    const ReferenceTriangulation wanted = segments.empty()
+      ? bruteForceTriangulation(left)
+      : bruteForceConstrained(left, segments).triangulation;
+    ASSERT_EQ(found.dimension, wanted.dimension);
+    ASSERT_EQ(cellsOf(found), wanted.cells);
+  }
+
   static PointView view(const Cloud& cloud)
   {
     return cloud.empty() ? PointView()

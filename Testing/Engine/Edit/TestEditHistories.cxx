@@ -12,8 +12,9 @@ namespace test
 namespace
 {
 
+// Nightly 10,000.
 #if !defined(FLIPFLOP_HISTORIES)
-#define FLIPFLOP_HISTORIES 300
+#define FLIPFLOP_HISTORIES 100
 #endif
 
 TEST(EditHistories, EachStepIsARunFromNothing)
