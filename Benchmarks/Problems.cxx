@@ -53,8 +53,9 @@ const std::vector<Problem>& problems()
   static const std::vector<Problem> all = []
   {
     std::vector<Problem> list = { hullProblem(), triangulationProblem(), constrainedProblem(),
-      alphaProblem(), areasProblem(), centroidsProblem(), terrainProblem(), smallProblem(),
-      manyHullsProblem(), manyTrianglesProblem(), planeBlocksProblem(), spaceBlocksProblem() };
+      alphaProblem(), areasProblem(), centroidsProblem(), terrainProblem(), editsProblem(),
+      smallProblem(), manyHullsProblem(), manyTrianglesProblem(), planeBlocksProblem(),
+      spaceBlocksProblem() };
 #if defined(FLIPFLOP_HAVE_RUNNERS)
     append(list, cudaProblems());
 #endif

@@ -21,6 +21,7 @@ Problem alphaProblem();
 Problem areasProblem();
 Problem centroidsProblem();
 Problem terrainProblem();
+Problem editsProblem();     ///< of a triangulation
 Problem smallProblem();     ///< few points, in a fresh process
 Problem manyHullsProblem(); ///< many small sets
 Problem manyTrianglesProblem();
@@ -41,6 +42,7 @@ std::vector<ProgramKind> cgalHullPrograms();
 std::vector<ProgramKind> cgalTriangulationPrograms();
 std::vector<ProgramKind> cgalConstrainedPrograms();
 std::vector<ProgramKind> cgalAlphaPrograms();
+std::vector<ProgramKind> cgalEditsPrograms();
 std::vector<std::pair<std::string, std::string>> qhullFacts();
 std::vector<std::pair<std::string, std::string>> cgalFacts();
 

@@ -97,7 +97,7 @@ void EditableState::triangulate(Edit& edit)
 {
   const std::vector<std::uint32_t> slots = this->presentSlots();
   const ConstrainedTriangulation made = this->triangulationOf(slots, edit.parts.options(0.1, 0.8));
-  edit.monitor.stage(0.8, 1.0, 1, "editing");
+  edit.monitor.stage(0.8, 1.0, 1);
   this->inMesh(
     [&](auto& m)
     {

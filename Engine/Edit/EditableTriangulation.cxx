@@ -112,7 +112,7 @@ void inEdit(EditableState& state, std::int64_t points, const Options& options, c
     {
       try
       {
-        monitor.stage(0.0, 0.1, 1, "editing");
+        monitor.stage(0.0, 0.1, 1);
         edit(monitor, parts);
         monitor.stage(1.0, 1.0, 1);
         state.commit();

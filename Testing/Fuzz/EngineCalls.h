@@ -25,6 +25,7 @@ void fuzzHullQueries(Bytes& bytes);          ///< of hulls, and of what is none
 void fuzzTriangulationQueries(Bytes& bytes); ///< of triangulations, and of what is none
 void fuzzCells(Bytes& bytes);       ///< alphas, lengths, measures, borders; and of what is none
 void fuzzConstraints(Bytes& bytes); ///< and polygons of them, and where they cross, in pieces
+void fuzzEdits(Bytes& bytes);       ///< of points and constraints
 void fuzzCentroidal(Bytes& bytes);  ///< sites that move
 void fuzzPrescribed(Bytes& bytes);  ///< areas that are met, or not
 

@@ -20,7 +20,7 @@ void oneCall(Bytes bytes)
   static constexpr void (*calls[])(Bytes&) = { fuzzHull, fuzzTriangulation, fuzzDiagram,
     fuzzConvexify, fuzzHullClaims, fuzzTriangulationClaims, fuzzArguments, fuzzHullQueries,
     fuzzTriangulationQueries, fuzzPolygons, fuzzConstraints, fuzzCells, fuzzDiagram, fuzzCentroidal,
-    fuzzPrescribed };
+    fuzzPrescribed, fuzzEdits };
   calls[bytes.below(static_cast<int>(std::size(calls)))](bytes);
 }
 
