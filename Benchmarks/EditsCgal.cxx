@@ -9,7 +9,10 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Regular_triangulation_2.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_hierarchy_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 
 #include <memory>
 
@@ -31,10 +34,22 @@ public:
   void prepare(const Input& given) override
   {
     this->points = EditedPoints(given);
-    for (std::size_t i = 0; i < given.xyz.size(); i += 3)
+    std::vector<std::size_t> order(static_cast<std::size_t>(given.count()));
+    std::vector<Kernel::Point_2> positions;
+    for (std::size_t i = 0; i < order.size(); ++i)
     {
-      this->handles.push_back(
-        this->triangulation.insert(siteOf(given.xyz.data() + i), this->hint()));
+      order[i] = i;
+      positions.emplace_back(given.xyz[3 * i], given.xyz[3 * i + 1]);
+    }
+    const auto map = CGAL::make_property_map(positions);
+    CGAL::spatial_sort(
+      order.begin(), order.end(), CGAL::Spatial_sort_traits_adapter_2<Kernel, decltype(map)>(map));
+    this->handles.resize(order.size());
+    Face hint;
+    for (const std::size_t i : order)
+    {
+      this->handles[i] = this->triangulation.insert(siteOf(given.xyz.data() + 3 * i), hint);
+      hint = this->handles[i]->face();
     }
   }
   void run() override
@@ -108,7 +123,6 @@ private:
       return Site(Kernel::Point_2(x[0], x[1]), x[2]);
     }
   }
-  Face hint() const { return this->handles.empty() ? Face() : this->handles.back()->face(); }
 
   EditedPoints points;
   Triangulation triangulation;

@@ -5,6 +5,7 @@
 #include "Surface/Topology.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace flipflop
@@ -305,11 +306,10 @@ std::uint32_t EditableMesh<Weighted>::walk(
 }
 
 template <bool Weighted>
-std::uint32_t EditableMesh<Weighted>::locate(const Vertex& point)
+std::uint32_t EditableMesh<Weighted>::locate(const Vertex& point, std::uint32_t fewSteps)
 {
-  constexpr std::uint32_t FewSteps = 16;
   constexpr std::uint32_t FewPoints = 64;
-  std::uint32_t t = this->walk(point, this->last, this->visible < FewPoints ? NoIndex : FewSteps);
+  std::uint32_t t = this->walk(point, this->last, this->visible < FewPoints ? NoIndex : fewSteps);
   if (t == NoIndex)
   {
     if (this->visible / 2 >= this->hintsOf)
@@ -383,21 +383,48 @@ bool EditableMesh<Weighted>::firstHolding(const Vertex& point, std::uint32_t* sl
   return true;
 }
 
+/// From some of the points: of each cell, one near its middle.
 template <bool Weighted>
 void EditableMesh<Weighted>::buildHints()
 {
+  constexpr std::uint32_t OneOf = 4; // by two bits of a hash
   std::vector<ValuedPosition> positions;
-  positions.reserve(this->visible);
+  positions.reserve(this->visible / OneOf);
   for (std::uint32_t slot = 1; slot < this->slotCount(); ++slot)
   {
-    if (this->isVisible(slot))
+    if (this->isVisible(slot) && (positions.empty() || (slot * 2654435769u) >> 30 == 0))
     {
       const Vertex& v = this->vertices[slot];
       positions.push_back({ { v.x[0], v.x[1] }, slot });
     }
   }
-  this->hints.build(
-    std::move(positions), [](double, double, std::uint32_t slot) { return slot; }, [] {});
+  double low[2] = { HUGE_VAL, HUGE_VAL };
+  double high[2] = { -HUGE_VAL, -HUGE_VAL };
+  for (const ValuedPosition& position : positions)
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      low[i] = std::min(low[i], position.x[i]);
+      high[i] = std::max(high[i], position.x[i]);
+    }
+  }
+  const double far =
+    4 * std::sqrt((high[0] - low[0]) * (high[1] - low[1]) / static_cast<double>(positions.size()));
+  // A cell without a point has another's, which may be far: in a grid, rows of cells are empty.
+  const auto nearMiddle = [&](double x, double y, std::uint32_t slot)
+  {
+    constexpr std::uint32_t MostSteps = 1 << 12; // signs may be wrong here, and lead nowhere
+    const Vertex& v = this->vertices[slot];
+    if (std::fabs(v.x[0] - x) + std::fabs(v.x[1] - y) < far)
+    {
+      return slot;
+    }
+    const Vertex middle = { { x, y, 0.0 }, NoIndex, 0 };
+    const std::uint32_t t = this->walk(middle, triangleOf(this->at[slot]), MostSteps);
+    const std::uint32_t* const corner = this->triangles[t == NoIndex ? 0 : t].v;
+    return t == NoIndex ? slot : corner[0] != 0 ? corner[0] : corner[1];
+  };
+  this->hints.build(std::move(positions), nearMiddle, [] {});
   this->hintsOf = this->visible;
 }
 

@@ -109,7 +109,8 @@ public:
   void adopt(const std::vector<std::uint32_t>& corners);
 
   /// The triangle that holds a point, its border included; a virtual one if the point is outside.
-  std::uint32_t locate(const Vertex& point);
+  /// @param fewSteps after so many from where the last edit was, a grid of hints is asked
+  std::uint32_t locate(const Vertex& point, std::uint32_t fewSteps = 6);
 
   /// Of the triangles that hold a point, borders included, the first in the order of a snapshot.
   /// @param slots receives its corners, that of the lowest id first
@@ -121,6 +122,12 @@ public:
   bool insert(std::uint32_t slot)
   {
     return this->insertIn(slot, this->locate(this->vertices[slot]));
+  }
+
+  /// The same of one of many that are inserted along a curve.
+  bool insertNext(std::uint32_t slot)
+  {
+    return this->insertIn(slot, this->locate(this->vertices[slot], 64));
   }
 
   /// The same in the triangle that holds it, as locate() gives it.

@@ -153,7 +153,7 @@ void EditableState::rollback() noexcept
 
 EditableState::Edit EditableState::beginEdit(Monitor& monitor, ProgressOfParts& parts)
 {
-  Edit edit{ monitor, parts, std::nullopt };
+  Edit edit{ monitor, parts, std::nullopt, false };
   this->known.divided = 0;
   if (this->list.count() > 0)
   {
@@ -172,7 +172,7 @@ void EditableState::endEdit(const Edit& edit)
 bool EditableState::paysToRemake(std::size_t edits) const
 {
   constexpr std::size_t Few = 64;
-  return edits > Few && 10 * edits >= static_cast<std::size_t>(this->known.present);
+  return edits > Few && 2 * edits >= static_cast<std::size_t>(this->known.present);
 }
 
 void EditableState::insert(const PointSource& points, Monitor& monitor, ProgressOfParts& parts)
@@ -204,8 +204,7 @@ void EditableState::insert(const PointSource& points, Monitor& monitor, Progress
   }
   if (slots.size() > 1)
   {
-    sortAlongCurve(
-      slots, [this](std::uint32_t slot) { return this->vertex(slot); }, monitor);
+    this->sortSlots(slots, edit);
   }
   StepPoll poll(monitor);
   for (const std::uint32_t slot : slots)
@@ -214,6 +213,13 @@ void EditableState::insert(const PointSource& points, Monitor& monitor, Progress
     this->insertSlot(slot, edit);
   }
   this->endEdit(edit);
+}
+
+void EditableState::sortSlots(std::vector<std::uint32_t>& slots, Edit& edit) const
+{
+  sortAlongCurve(
+    slots, [this](std::uint32_t slot) { return this->vertex(slot); }, edit.monitor);
+  edit.isAlongCurve = true;
 }
 
 void EditableState::insertSlot(std::uint32_t slot, Edit& edit)
@@ -225,7 +231,7 @@ void EditableState::insertSlot(std::uint32_t slot, Edit& edit)
       edit.constrained->insertPoint(slot);
       return;
     }
-    this->inMesh([slot](auto& m) { m.insert(slot); });
+    this->inMesh([&](auto& m) { edit.isAlongCurve ? m.insertNext(slot) : m.insert(slot); });
     return;
   }
   this->inMesh([slot](auto& m) { m.wait(slot); });
@@ -276,8 +282,13 @@ void EditableState::remove(
   Edit edit = this->beginEdit(monitor, parts);
   this->known.present -= static_cast<std::int64_t>(slots.size());
   bool remakes = this->hasTriangles() && this->paysToRemake(slots.size());
+  std::vector<std::uint32_t> order = slots;
+  if (order.size() > 1 && !remakes)
+  {
+    this->sortSlots(order, edit);
+  }
   StepPoll poll(monitor);
-  for (const std::uint32_t slot : slots)
+  for (const std::uint32_t slot : order)
   {
     poll.step();
     if (!remakes && !this->hasTriangles())

@@ -93,10 +93,12 @@ private:
     Monitor& monitor;
     ProgressOfParts& parts;                      ///< of calls of other parts of the engine
     std::optional<ConstrainedEdits> constrained; ///< while there are triangles and constraints
+    bool isAlongCurve;                           ///< points that follow each other are near
   };
   Edit beginEdit(Monitor& monitor, ProgressOfParts& parts);
   void endEdit(const Edit& edit);
 
+  void sortSlots(std::vector<std::uint32_t>& slots, Edit& edit) const;
   void insertSlot(std::uint32_t slot, Edit& edit);
   bool removeFromTriangles(std::uint32_t slot, Edit& edit);
   void removeWaiting(std::uint32_t slot);

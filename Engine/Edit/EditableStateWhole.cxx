@@ -165,7 +165,7 @@ void EditableState::adopt(EditableMesh<Weighted>& fresh, const std::vector<std::
   for (const std::uint32_t slot : hidden)
   {
     poll.step();
-    fresh.insert(slot);
+    fresh.insertNext(slot);
   }
 }
 

@@ -26,7 +26,7 @@ class EditableState;
 ///
 /// An edit costs what it changes: an insertion a walk from the last edit, or where that is far from
 /// a grid of hints, and about six triangles; a removal the triangles around the point. Edits of
-/// many points at once, a tenth of all or more, triangulate all again where that is faster. While
+/// many points at once, half of all or more, triangulate all again. While
 /// all points are on one line, an edit costs next to nothing, and the first point off the line a
 /// triangulation of all.
 ///
