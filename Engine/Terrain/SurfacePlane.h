@@ -12,6 +12,7 @@
 #include "Predicates/RoundedFractions.h"
 
 #include <cmath>
+#include <optional>
 
 namespace flipflop
 {
@@ -120,14 +121,13 @@ private:
   Offset normal; ///< z: twice the area of the triangle, or the segment's length, squared
 };
 
-/// Exact.
+/// Exact. For one thread.
 class SurfacePlane
 {
 public:
   explicit SurfacePlane(const SurfaceCorners& given)
     : corners(given)
     , rough(BoundedArithmetic<double>(), given)
-    , quick(BoundedArithmetic<>(), given)
   {
   }
 
@@ -138,7 +138,7 @@ public:
     double result = 0.0;
     if ((level == this->corners.a->x[2] && level == this->corners.b->x[2] &&
           (!this->corners.c || level == this->corners.c->x[2])) ||
-      this->quick.height(p, result))
+      this->quickPlane().height(p, result))
     {
       return result;
     }
@@ -167,7 +167,7 @@ public:
       return size > tolerance;
     }
     int sign = 0;
-    if (!this->quick.compare(p, tolerance, sign))
+    if (!this->quickPlane().compare(p, tolerance, sign))
     {
       inIntegers(this->range(p, tolerance), MostBitsToRound,
         [&](const auto& k) { return planeIn(k, this->corners).compare(p, tolerance, sign); });
@@ -180,6 +180,16 @@ private:
   static NumberPlane<Arithmetic> planeIn(const Arithmetic& k, const SurfaceCorners& corners)
   {
     return NumberPlane<Arithmetic>(k, corners);
+  }
+
+  /// Made when the rough one does not do.
+  const NumberPlane<BoundedArithmetic<>>& quickPlane() const
+  {
+    if (!this->quick)
+    {
+      this->quick.emplace(BoundedArithmetic<>(), this->corners);
+    }
+    return *this->quick;
   }
 
   ExponentRange range(const Vertex& p, double tolerance) const
@@ -198,7 +208,7 @@ private:
 
   SurfaceCorners corners;
   NumberPlane<BoundedArithmetic<double>> rough;
-  NumberPlane<BoundedArithmetic<>> quick;
+  mutable std::optional<NumberPlane<BoundedArithmetic<>>> quick;
 };
 
 }

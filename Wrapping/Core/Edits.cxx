@@ -176,6 +176,9 @@ void bindEdits(nb::module_& module)
           [&](const Options& options) { return self.insert(view, weighted, options); });
       },
       "points"_a, "weights"_a.none(), "settings"_a)
+    .def("insert_one",
+      [](Edited& self, double x, double y, double weight) { return self.insert(x, y, weight); })
+    .def("remove_one", [](Edited& self, std::int64_t id) { self.remove(id); })
     .def("remove",
       [](Edited& self, const IdArray& ids, const Settings& settings)
       {

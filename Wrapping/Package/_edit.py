@@ -5,8 +5,6 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import Any, Literal, Self
 
 import numpy as np
@@ -23,6 +21,25 @@ from ._results import Floats, Ids, NonFinite, Progress, frozen, ignores, run, se
 from ._triangulation import RegularTriangulation
 
 
+class _Guard:
+    """Waits for other threads' calls. What an edit itself calls may not use the triangulation."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._holder: int | None = None
+
+    def __enter__(self) -> None:
+        here = threading.get_ident()
+        if self._holder == here:
+            raise RuntimeError("this triangulation is being edited: a progress callable must not use it")
+        self._lock.acquire()
+        self._holder = here
+
+    def __exit__(self, *_: object) -> None:
+        self._holder = None
+        self._lock.release()
+
+
 class EditableTriangulation:
     """A regular or constrained triangulation of points that come and go.
 
@@ -30,9 +47,9 @@ class EditableTriangulation:
     id is given once, in order from 0: a removed one is not given again, and a point that is moved keeps its id. So
     is a constraint's number.
 
-    An edit of one point costs what it changes: about a microsecond near the last edit, a few elsewhere, and some ten
-    microseconds of Python; of many points at once, the engine's time alone. `snapshot()` costs all cells; it is
-    kept until the next edit, and `simplices`, `locate()` and the other queries are those of the snapshot.
+    An edit of one point costs what it changes: about a microsecond near the last edit, a few elsewhere, and one or two
+    of Python's; of many points at once, the engine's time alone. `snapshot()` costs all cells; it is kept until the
+    next edit, and `simplices`, `locate()` and the other queries are those of the snapshot.
 
     It can be pickled and copied. Calls from several threads wait for each other.
 
@@ -85,17 +102,30 @@ class EditableTriangulation:
         -------
         their ids; of one point, its id
         """
+        one = _one_point(points, weights)
+        if one is not None:
+            with self._guard:
+                first = self._core.insert_one(*one)
+                self._snapshot = None
+            return np.int64(first)
         array, weight_array, single = _points_of(points, weights)
-        with self._editing():
+        with self._guard:
             first = run(_chosen(threads, progress), self._core.insert, array, weight_array)
+            self._snapshot = None
         ids = np.arange(first, first + len(array))
         return np.int64(first) if single else ids
 
     def remove(self, ids: ArrayLike, *, threads: int = 0, progress: Progress = None) -> None:
         """Removes points. One that a constraint ends at is an InputError: remove the constraint first."""
+        if isinstance(ids, (int, np.integer)):
+            with self._guard:
+                self._core.remove_one(int(ids))
+                self._snapshot = None
+            return
         numbers = _ids_of(ids, "ids")
-        with self._editing():
+        with self._guard:
             run(_chosen(threads, progress), self._core.remove, numbers)
+            self._snapshot = None
 
     def move(
         self,
@@ -111,8 +141,9 @@ class EditableTriangulation:
         array, weight_array, _ = _points_of(points, weights)
         if len(numbers) != len(array):
             raise ValueError(f"there are not as many ids as points: {len(numbers)} ids, {len(array)} points")
-        with self._editing():
+        with self._guard:
             run(_chosen(threads, progress), self._core.move, numbers, array, weight_array)
+            self._snapshot = None
 
     def add_constraints(self, constraints: Chains, *, progress: Progress = None) -> Ids:
         """Adds constraints: rows of two ids, or polylines, sequences of ids, of which consecutive ones are joined.
@@ -124,19 +155,21 @@ class EditableTriangulation:
         a number for each pair
         """
         given = Constraints(constraints, None)
-        with self._editing():
+        with self._guard:
             try:
                 first = run(_chosen(1, progress), self._core.insert_constraints, given.ends)
             except InputError as error:
                 # Of two that cross, the other is there already, with its own number.
                 raise error if error.code == "constraints_cross" else given.of_error(error) from None
+            self._snapshot = None
         return np.arange(first, first + len(given.ends))
 
     def remove_constraints(self, numbers: ArrayLike, *, progress: Progress = None) -> None:
         """Removes constraints by their numbers."""
         chosen = _ids_of(numbers, "numbers")
-        with self._editing():
+        with self._guard:
             run(_chosen(1, progress), self._core.remove_constraints, chosen)
+            self._snapshot = None
 
     def snapshot(self) -> RegularTriangulation:
         """The triangulation as it is now: a result that later edits do not change.
@@ -144,7 +177,7 @@ class EditableTriangulation:
         Its `points` have a row for each id, NaN where there is no point. With constraints, it is a
         ConstrainedTriangulation, and `constraint_numbers` are the numbers of the rows of its `constraints`.
         """
-        with self._waiting():
+        with self._guard:
             if self._snapshot is None:
                 self._snapshot = self._made()
             return self._snapshot
@@ -171,13 +204,13 @@ class EditableTriangulation:
     @property
     def constraints(self) -> Ids:
         """The ids that each constraint joins, by ascending numbers."""
-        with self._waiting():
+        with self._guard:
             return self._core.constraints()[1]
 
     @property
     def constraint_numbers(self) -> Ids:
         """The numbers of the constraints, ascending."""
-        with self._waiting():
+        with self._guard:
             return self._core.constraints()[0]
 
     @property
@@ -290,7 +323,7 @@ class EditableTriangulation:
 
     def __copy__(self) -> Self:
         other = type(self).__new__(type(self))
-        with self._waiting():
+        with self._guard:
             other._core = self._core.copy()
         other._begin()
         return other
@@ -299,7 +332,7 @@ class EditableTriangulation:
         return self.__copy__()
 
     def __getstate__(self) -> tuple[Any, ...]:
-        with self._waiting():
+        with self._guard:
             weights = self._core.weights() if self._weighted() else None
             return (self._core.points(), weights, *self._core.constraints(), self._core.constraint_number_count)
 
@@ -315,27 +348,8 @@ class EditableTriangulation:
         return f"<EditableTriangulation of {len(self)} points, {self._core.constraint_count} constraints>"
 
     def _begin(self) -> None:
-        self._lock = threading.Lock()
-        self._holder: int | None = None
+        self._guard = _Guard()
         self._snapshot: RegularTriangulation | None = None
-
-    @contextmanager
-    def _waiting(self) -> Iterator[None]:
-        """For other threads' edits. What an edit itself calls may not edit."""
-        if self._holder == threading.get_ident():
-            raise RuntimeError("this triangulation is being edited: a progress callable must not use it")
-        with self._lock:
-            self._holder = threading.get_ident()
-            try:
-                yield
-            finally:
-                self._holder = None
-
-    @contextmanager
-    def _editing(self) -> Iterator[None]:
-        with self._waiting():
-            yield
-            self._snapshot = None
 
     def _weighted(self) -> bool:
         return bool(np.any(np.nan_to_num(self._core.weights())))
@@ -362,6 +376,18 @@ class EditableTriangulation:
 
 def _chosen(threads: int, progress: Progress) -> tuple[Any, Any]:
     return settings(threads, "triangles", "error", "cpu", progress, False)
+
+
+def _one_point(points: ArrayLike, weights: ArrayLike | None) -> tuple[float, float, float] | None:
+    """The numbers of one point in a usual form, which are read in less time; else None."""
+    if weights is not None and type(weights) is not float:
+        return None
+    if isinstance(points, np.ndarray):
+        if points.shape != (2,) or points.dtype != np.float64 or type(points) is not np.ndarray:
+            return None
+    elif type(points) not in (list, tuple) or len(points) != 2 or not all(type(x) is float for x in points):
+        return None
+    return float(points[0]), float(points[1]), weights or 0.0
 
 
 def _points_of(points: ArrayLike, weights: ArrayLike | None) -> tuple[NDArray[Any], NDArray[Any] | None, bool]:
