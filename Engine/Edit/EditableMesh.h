@@ -61,11 +61,6 @@ public:
   std::uint32_t slotCount() const { return static_cast<std::uint32_t>(this->vertices.size()); }
   const Vertex& vertex(std::uint32_t slot) const { return this->vertices[slot]; }
   bool isVisible(std::uint32_t slot) const { return (this->vertices[slot].flags & VertexAlive); }
-  bool isHidden(std::uint32_t slot) const
-  {
-    return (this->vertices[slot].flags & (HiddenInTriangle | HiddenAtPoint)) != 0;
-  }
-  std::uint32_t visibleCount() const { return this->visible; }
 
   /// Add a slot, which is not in the triangulation yet.
   /// @throw Error TooManyPoints
@@ -91,7 +86,6 @@ public:
   /// Triangles, by index; some are dead.
   bool hasTriangles() const { return this->live > 0; }
   std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(this->triangles.size()); }
-  std::uint32_t liveCount() const { return this->live; }
   const Triangle& triangle(std::uint32_t t) const { return this->triangles[t]; }
   bool isDead(std::uint32_t t) const { return (this->triangles[t].flags & TriangleDead) != 0; }
   bool isVirtual(std::uint32_t t) const
