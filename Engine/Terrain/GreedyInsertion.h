@@ -3,11 +3,11 @@
 /// @file
 /// The worst point first, until all are within the tolerance.
 ///
-/// Each cell has a conflict list: the points in it that are no vertices. Its worst point, by
-/// rounded distances, is in a heap. What comes out of the heap is inserted if it is beyond the
-/// tolerance, exactly. If not, all points of its cell are examined so, since a rounded distance may
-/// be wrong: the worst that is beyond goes into the heap again, or the cell is settled. So in the
-/// end each point was found within the tolerance, exactly.
+/// Of the points in each cell that are no vertices, the worst, by rounded distances, is in a heap.
+/// What comes out of the heap is inserted if it is beyond the tolerance, exactly. If not, all
+/// points of its cell are examined so, since a rounded distance may be wrong: the worst that is
+/// beyond goes into the heap again, or the cell is settled. So in the end each point was found
+/// within the tolerance, exactly.
 #ifndef flipflop_GreedyInsertion_h
 #define flipflop_GreedyInsertion_h
 
@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -47,50 +48,39 @@ struct InsertionLimits
 };
 
 /// @tparam Surface TerrainSurface, or TerrainChain
-template <class Surface>
+/// @tparam Cells   which points are in its cells: ListedCells, or GridCells
+template <class Surface, class Cells>
 class GreedyInsertion
 {
 public:
-  GreedyInsertion(const TerrainPoints& terrainPoints, Surface& toRefine, KeptPoints& vertices,
-    const InsertionLimits& when, Monitor& toReport)
+  GreedyInsertion(const TerrainPoints& terrainPoints, Surface& toRefine, Cells& cellsOfSurface,
+    KeptPoints& vertices, const InsertionLimits& when, Monitor& toReport)
     : points(terrainPoints)
     , surface(toRefine)
+    , cells(cellsOfSurface)
     , kept(vertices)
     , limits(when)
     , monitor(toReport)
     , poll(toReport)
-    , lists(toRefine.cellCount())
     , worst(toRefine.cellCount())
   {
   }
 
   /// Begin.
-  /// @param cellOf of each point a cell that holds it; of points of one position the same
-  void associate(const std::int64_t* cellOf)
+  void start()
   {
-    this->points.eachWithSite(
-      [&](std::uint32_t i, std::uint32_t site)
-      {
-        if (!this->kept.isKept[site])
-        {
-          ensure(cellOf[site] >= 0);
-          this->lists[static_cast<std::size_t>(cellOf[site])].push_back(i);
-        }
-      });
-    eachTask(this->lists.size(),
+    eachTask(this->worst.size(),
       [this](std::size_t cell)
       {
         this->monitor.poll();
-        if (this->lists[cell].empty())
+        if (this->surface.isCell(static_cast<std::uint32_t>(cell)))
         {
-          return;
+          this->findWorst(static_cast<std::uint32_t>(cell));
         }
-        this->findWorst(
-          cell, RoundedPlane(this->surface.corners(static_cast<std::uint32_t>(cell))));
       });
-    for (std::size_t cell = 0; cell < this->lists.size(); ++cell)
+    for (std::size_t cell = 0; cell < this->worst.size(); ++cell)
     {
-      this->enqueue(cell);
+      this->enqueue(static_cast<std::uint32_t>(cell));
     }
   }
 
@@ -126,26 +116,31 @@ public:
   void eachRemaining(const Use& use) const
   {
     constexpr std::size_t CellsPerTask = 1 << 8;
-    eachChunk(this->lists.size(), CellsPerTask,
+    eachChunk(this->worst.size(), CellsPerTask,
       [&](std::size_t begin, std::size_t end, std::size_t)
       {
         this->monitor.poll();
-        for (std::size_t cell = begin; cell < end; ++cell)
+        for (auto cell = static_cast<std::uint32_t>(begin); cell < end; ++cell)
         {
-          if (!this->lists[cell].empty())
+          std::optional<SurfacePlane> plane;
+          if (this->surface.isCell(cell))
           {
-            const SurfacePlane plane(this->surface.corners(static_cast<std::uint32_t>(cell)));
-            for (const std::uint32_t p : this->lists[cell])
-            {
-              use(p, plane);
-            }
+            this->cells.eachOnceIn(cell,
+              [&](std::uint32_t p, double, double, double)
+              {
+                if (!plane)
+                {
+                  plane.emplace(this->surface.corners(cell));
+                }
+                use(p, *plane);
+              });
           }
         }
       });
   }
 
   std::int64_t insertionCount() const { return this->insertions; }
-  std::int64_t moveCount() const { return this->moves; }
+  std::int64_t moveCount() const { return this->cells.moveCount(); }
 
 private:
   /// The farthest point of a cell.
@@ -174,7 +169,7 @@ private:
     }
   };
 
-  void consider(std::size_t cell, std::uint32_t p, double distance)
+  void consider(std::uint32_t cell, std::uint32_t p, double distance)
   {
     Worst& so = this->worst[cell];
     if (distance > so.distance ||
@@ -184,12 +179,12 @@ private:
     }
   }
 
-  void enqueue(std::size_t cell)
+  void enqueue(std::uint32_t cell)
   {
     const Worst& found = this->worst[cell];
     if (found.point != NoIndex)
     {
-      this->heap.push_back({ found.distance, found.point, static_cast<std::uint32_t>(cell) });
+      this->heap.push_back({ found.distance, found.point, cell });
       std::push_heap(this->heap.begin(), this->heap.end(), Order{ this->points });
     }
   }
@@ -199,70 +194,39 @@ private:
     this->kept.add(v);
     ++this->insertions;
     this->surface.insert(v, cell);
-    const std::vector<std::uint32_t>& old = this->surface.replaced();
-    const std::vector<std::uint32_t>& parts = this->surface.parts();
-    this->taken.resize(std::max(this->taken.size(), old.size()));
-    for (std::size_t i = 0; i < old.size(); ++i)
-    {
-      std::swap(this->taken[i], this->lists[old[i]]);
-    }
-    this->lists.resize(this->surface.cellCount());
+    this->cells.update(v);
     this->worst.resize(this->surface.cellCount());
-    for (const std::uint32_t part : parts)
+    for (const std::uint32_t part : this->surface.parts())
     {
       this->worst[part] = Worst();
-    }
-    const std::uint32_t groupEnd = this->points.groupEnd(v);
-    for (std::size_t i = 0; i < old.size(); ++i)
-    {
-      this->distribute(this->taken[i], v, groupEnd);
-    }
-    for (std::size_t i = 0; i < parts.size(); ++i)
-    {
-      if (!this->lists[parts[i]].empty())
+      if (this->surface.isCell(part))
       {
-        this->findWorst(parts[i], RoundedPlane(this->surface.corners(parts[i])));
-        this->enqueue(parts[i]);
+        this->findWorst(part);
+        this->enqueue(part);
       }
     }
-  }
-
-  /// Put points into the lists of their new cells, but for those at the new vertex.
-  void distribute(std::vector<std::uint32_t>& moved, std::uint32_t v, std::uint32_t groupEnd)
-  {
-    moved.erase(std::remove_if(moved.begin(), moved.end(),
-                  [this, v, groupEnd](std::uint32_t p)
-                  {
-                    this->points.prefetch(p);
-                    return p >= v && p < groupEnd;
-                  }),
-      moved.end());
-    this->moves += static_cast<std::int64_t>(moved.size());
-    this->surface.findParts(moved, this->partOf);
-    const std::vector<std::uint32_t>& parts = this->surface.parts();
-    for (std::size_t i = 0; i < moved.size(); ++i)
-    {
-      this->poll.step();
-      this->lists[parts[this->partOf[i]]].push_back(moved[i]);
-    }
-    moved.clear();
   }
 
   /// The farthest point of a cell, of several the lowest id.
-  void findWorst(std::size_t cell, const RoundedPlane& plane)
+  void findWorst(std::uint32_t cell)
   {
+    const RoundedPlane plane(this->surface.corners(cell));
     Worst found;
     std::uint32_t id = NoIndex;
-    for (const std::uint32_t i : this->lists[cell])
-    {
-      const Vertex& p = this->points[i];
-      const double distance = plane.distance(p);
-      if (distance >= found.distance && (distance > found.distance || p.id < id))
+    this->cells.eachIn(cell,
+      [&](std::uint32_t p, double x, double y, double height)
       {
-        found = { distance, i };
-        id = p.id;
-      }
-    }
+        const double distance = plane.distance(x, y, height);
+        if (distance >= found.distance)
+        {
+          const std::uint32_t other = this->points[p].id;
+          if (distance > found.distance || other < id)
+          {
+            found = { distance, p };
+            id = other;
+          }
+        }
+      });
     this->worst[cell] = found;
   }
 
@@ -270,15 +234,16 @@ private:
   void settle(std::uint32_t cell, const SurfacePlane& plane)
   {
     this->worst[cell] = Worst();
-    for (const std::uint32_t p : this->lists[cell])
-    {
-      this->poll.step();
-      const Vertex& point = this->points[p];
-      if (plane.isBeyond(point, this->limits.tolerance))
+    this->cells.eachIn(cell,
+      [&](std::uint32_t p, double, double, double)
       {
-        this->consider(cell, p, std::fabs(plane.height(point)));
-      }
-    }
+        this->poll.step();
+        const Vertex& point = this->points[p];
+        if (plane.isBeyond(point, this->limits.tolerance))
+        {
+          this->consider(cell, p, std::fabs(plane.height(point)));
+        }
+      });
     this->enqueue(cell);
   }
 
@@ -302,17 +267,14 @@ public:
 private:
   const TerrainPoints& points;
   Surface& surface;
+  Cells& cells;
   KeptPoints& kept;
   const InsertionLimits limits;
   Monitor& monitor;
   StepPoll poll;
-  std::vector<std::vector<std::uint32_t>> lists; ///< by cell
-  std::vector<Worst> worst;                      ///< by cell
-  std::vector<Candidate> heap;                   ///< some of cells that have changed since
-  std::vector<std::vector<std::uint32_t>> taken;
-  std::vector<std::uint32_t> partOf;
+  std::vector<Worst> worst;    ///< by cell
+  std::vector<Candidate> heap; ///< some of cells that have changed since
   std::int64_t insertions = 0;
-  std::int64_t moves = 0;
   std::int64_t reported = 0;
 };
 

@@ -48,10 +48,10 @@ public:
   }
 
   /// How far a point is from the plane; infinite where doubles do not hold it.
-  double distance(const Vertex& p) const
+  double distance(double x, double y, double height) const
   {
-    const double size = std::fabs((p.x[2] - this->origin[2]) -
-      (this->slope[0] * (p.x[0] - this->origin[0]) + this->slope[1] * (p.x[1] - this->origin[1])));
+    const double size = std::fabs((height - this->origin[2]) -
+      (this->slope[0] * (x - this->origin[0]) + this->slope[1] * (y - this->origin[1])));
     return std::isfinite(size) ? size : HUGE_VAL;
   }
 

@@ -41,6 +41,9 @@ public:
     return { this->vertices + segment.from, this->vertices + segment.to, nullptr };
   }
 
+  static bool isCell(std::uint32_t) { return true; }
+  static void findSpokes() {}
+
   void insert(std::uint32_t v, std::uint32_t cell)
   {
     const auto fresh = static_cast<std::uint32_t>(this->segments.size());

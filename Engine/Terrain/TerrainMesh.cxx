@@ -12,6 +12,8 @@
 #include "Support/EngineCall.h"
 #include "Support/ProgressOfParts.h"
 #include "Terrain/GreedyInsertion.h"
+#include "Terrain/GridCells.h"
+#include "Terrain/ListedCells.h"
 #include "Terrain/TerrainChain.h"
 #include "Terrain/TerrainPoints.h"
 #include "Terrain/TerrainSurface.h"
@@ -154,18 +156,20 @@ public:
     result.statistics.secondsScan = this->watch.lap();
 
     const ConstrainedTriangulation start = this->start(points);
-    const std::vector<std::int64_t> cellOf = this->locate(points, start);
-    result.statistics.secondsLocate = this->watch.lap();
-    if (start.dimension == 2)
-    {
-      TerrainSurface surface(this->geometry, points, start, this->first);
-      this->refine(points, surface, cellOf, result);
-    }
-    else
+    if (start.dimension < 2)
     {
       TerrainChain surface(points.data(), start, this->first);
-      this->refine(points, surface, cellOf, result);
+      this->refineListed(points, surface, start, result);
+      return;
     }
+    TerrainSurface surface(this->geometry, points, start, this->first);
+    if (points.grid().columns == 0)
+    {
+      this->refineListed(points, surface, start, result);
+      return;
+    }
+    GridCells cells(points, surface);
+    this->refine(points, surface, cells, result);
   }
 
 private:
@@ -245,6 +249,16 @@ private:
 
   void keepHull(const TerrainPoints& points)
   {
+    if (points.grid().columns > 0)
+    {
+      const std::uint32_t columns = points.grid().columns;
+      for (const std::uint32_t corner :
+        { 0u, columns - 1, points.size() - columns, points.size() - 1 })
+      {
+        this->kept.add(corner);
+      }
+      return;
+    }
     std::vector<double> flat;
     flat.reserve(3 * std::size_t(points.size()));
     for (std::uint32_t i = 0; i < points.size(); ++i)
@@ -318,12 +332,22 @@ private:
   }
 
   template <class Surface>
-  void refine(const TerrainPoints& points, Surface& surface,
-    const std::vector<std::int64_t>& cellOf, TerrainMesh& result)
+  void refineListed(const TerrainPoints& points, Surface& surface,
+    const ConstrainedTriangulation& start, TerrainMesh& result)
   {
-    GreedyInsertion<Surface> insertion(points, surface, this->kept, this->limits, this->monitor);
+    const std::vector<std::int64_t> cellOf = this->locate(points, start);
+    ListedCells<Surface> cells(points, surface, this->kept.isKept, cellOf.data());
+    result.statistics.secondsLocate = this->watch.lap();
+    this->refine(points, surface, cells, result);
+  }
+
+  template <class Surface, class Cells>
+  void refine(const TerrainPoints& points, Surface& surface, Cells& cells, TerrainMesh& result)
+  {
+    GreedyInsertion<Surface, Cells> insertion(
+      points, surface, cells, this->kept, this->limits, this->monitor);
     this->monitor.stage(0.4, 0.9, static_cast<std::int64_t>(insertion.ProgressUnits), "inserting");
-    insertion.associate(cellOf.data());
+    insertion.start();
     insertion.run();
     const double secondsGrow = this->watch.lap();
 
@@ -340,17 +364,22 @@ private:
     result.statistics.secondsFinish = this->watch.lap();
   }
 
-  void write(const TerrainPoints&, const TerrainSurface& surface, TerrainMesh& result)
+  void write(const TerrainPoints& points, const TerrainSurface& surface, TerrainMesh& result)
   {
     writeCells(surface.triangulation(), this->source.count(), Options(), this->monitor, result);
     result.sides = this->constraints.sides;
+    std::vector<std::uint32_t> slotOf(this->ends.empty() ? 0 : points.size());
+    for (std::uint32_t slot = 1; !slotOf.empty() && slot < surface.triangulation().slotCount();
+         ++slot)
+    {
+      slotOf[surface.numberOf(slot)] = slot;
+    }
     std::vector<MeshConstraint> all;
     for (std::size_t i = 0; i < this->ends.size(); i += 2)
     {
       const auto number = static_cast<std::uint32_t>(i / 2);
-      all.push_back(
-        { TerrainSurface::slotOf(this->ends[i]), TerrainSurface::slotOf(this->ends[i + 1]), number,
-          number >= this->constraints.count - this->constraints.sides });
+      all.push_back({ slotOf[this->ends[i]], slotOf[this->ends[i + 1]], number,
+        number >= this->constraints.count - this->constraints.sides });
     }
     writeConstraints(surface.triangulation(), all, result);
   }
@@ -371,9 +400,8 @@ private:
   }
 
   /// The errors, and what follows from them.
-  template <class Surface>
-  void measure(
-    const TerrainPoints& points, const GreedyInsertion<Surface>& insertion, TerrainMesh& result)
+  template <class Insertion>
+  void measure(const TerrainPoints& points, const Insertion& insertion, TerrainMesh& result)
   {
     this->fillErrors(result);
     std::atomic<std::int64_t> beyond{ 0 };

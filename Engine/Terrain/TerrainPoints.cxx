@@ -55,6 +55,49 @@ void sortWithinKeys(Buffer<std::uint64_t>& order, const Buffer<Vertex>& points, 
 
 }
 
+namespace
+{
+
+/// Points row by row, or column by column, as images have them. Axes ascend or descend.
+GridShape gridOf(const Buffer<Vertex>& points)
+{
+  const auto n = static_cast<std::uint32_t>(points.size());
+  if (n < 4)
+  {
+    return GridShape();
+  }
+  GridShape shape;
+  shape.fastAxis = points[0].x[1] == points[1].x[1] ? 0 : 1;
+  const int fast = shape.fastAxis;
+  const int slow = 1 - fast;
+  std::uint32_t columns = 1;
+  while (columns < n && points[columns].x[slow] == points[0].x[slow])
+  {
+    ++columns;
+  }
+  if (columns < 2 || columns == n || n % columns != 0)
+  {
+    return GridShape();
+  }
+  const auto sign = [](double a, double b) { return (a < b ? 1 : 0) - (a > b ? 1 : 0); };
+  const int alongFast = sign(points[0].x[fast], points[1].x[fast]);
+  const int alongSlow = sign(points[0].x[slow], points[columns].x[slow]);
+  bool isGrid = alongFast != 0 && alongSlow != 0;
+  for (std::uint32_t i = 0; i < n && isGrid; ++i)
+  {
+    const std::uint32_t c = i % columns;
+    const std::uint32_t first = i - c;
+    isGrid = points[i].x[fast] == points[c].x[fast] && points[i].x[slow] == points[first].x[slow] &&
+      (c == 0 || sign(points[i - 1].x[fast], points[i].x[fast]) == alongFast) &&
+      (c > 0 || i == 0 || sign(points[i - columns].x[slow], points[i].x[slow]) == alongSlow);
+  }
+  shape.columns = columns;
+  shape.rows = n / columns;
+  return isGrid ? shape : GridShape();
+}
+
+}
+
 TerrainPoints::TerrainPoints(
   const PointSource& positions, const PointSource& heights, bool checkFinite, Monitor& monitor)
 {
@@ -83,6 +126,29 @@ TerrainPoints::TerrainPoints(
       given[at].x[2] = x[2];
     });
 
+  this->shape = gridOf(given);
+  if (this->shape.columns == 0)
+  {
+    this->sortAlongCurve(given, monitor);
+    return;
+  }
+  const std::uint32_t columns = this->shape.columns;
+  const int fast = this->shape.fastAxis;
+  const bool turnsColumns = given[1].x[fast] < given[0].x[fast];
+  const bool turnsRows = given[columns].x[1 - fast] < given[0].x[1 - fast];
+  this->points.allocate(given.size());
+  for (std::uint32_t r = 0; r < this->shape.rows; ++r)
+  {
+    const std::uint32_t from = (turnsRows ? this->shape.rows - 1 - r : r) * columns;
+    for (std::uint32_t c = 0; c < columns; ++c)
+    {
+      this->points[r * columns + c] = given[from + (turnsColumns ? columns - 1 - c : c)];
+    }
+  }
+}
+
+void TerrainPoints::sortAlongCurve(const Buffer<Vertex>& given, Monitor& monitor)
+{
   const HilbertCurve curve = curveThrough(
     given.size(), monitor, [&given](std::size_t i, double* uv) { std::copy_n(given[i].x, 2, uv); });
   Buffer<std::uint64_t> order(given.size());

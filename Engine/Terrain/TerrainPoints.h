@@ -16,6 +16,24 @@
 namespace flipflop
 {
 
+/// Soon it will be read.
+inline void prefetch(const void* memory)
+{
+#if defined(__GNUC__)
+  __builtin_prefetch(memory);
+#else
+  (void)memory;
+#endif
+}
+
+/// Points that are the products of two axes: pixels.
+struct GridShape
+{
+  int fastAxis = 0;          ///< along which neighbours have consecutive numbers
+  std::uint32_t columns = 0; ///< along this axis; 0: there is no grid
+  std::uint32_t rows = 0;    ///< along the other; coordinates ascend along both
+};
+
 /// They are numbered in this order. The third coordinate is the height, as it was given.
 class TerrainPoints
 {
@@ -30,15 +48,11 @@ public:
   const Vertex& operator[](std::uint32_t i) const { return this->points[i]; }
   const Vertex* data() const { return this->points.data(); }
 
+  /// Are they a grid? Then they are numbered by its rows.
+  const GridShape& grid() const { return this->shape; }
+
   /// Soon it will be read.
-  void prefetch(std::uint32_t i) const
-  {
-#if defined(__GNUC__)
-    __builtin_prefetch(this->points.data() + i);
-#else
-    (void)i;
-#endif
-  }
+  void prefetch(std::uint32_t i) const { flipflop::prefetch(this->points.data() + i); }
 
   bool areTogether(std::uint32_t i, std::uint32_t j) const
   {
@@ -80,7 +94,10 @@ public:
   }
 
 private:
+  void sortAlongCurve(const Buffer<Vertex>& given, Monitor& monitor);
+
   Buffer<Vertex> points;
+  GridShape shape;
 };
 
 }

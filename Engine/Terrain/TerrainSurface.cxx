@@ -57,15 +57,13 @@ TerrainSurface::TerrainSurface(const Geometry& signs, const TerrainPoints& terra
   const ConstrainedTriangulation& start, const std::vector<std::uint32_t>& vertexOf)
   : points(terrainPoints)
   , mesh(signs)
+  , number(1, NoIndex)
 {
-  const auto slotOfIndex = [&vertexOf](std::int64_t index)
-  { return TerrainSurface::slotOf(vertexOf[static_cast<std::size_t>(index)]); };
-  for (std::uint32_t v = 0; v < this->points.size(); ++v)
+  for (const std::uint32_t v : vertexOf)
   {
-    Vertex flat = this->points[v];
-    flat.x[2] = 0.0; // heights are no weights
-    this->mesh.addSlot(flat);
+    this->addSlot(v);
   }
+  const auto slotOfIndex = [](std::int64_t index) { return static_cast<std::uint32_t>(index) + 1; };
   std::vector<std::uint32_t> corners;
   corners.reserve(start.connectivity.size());
   std::transform(
@@ -88,11 +86,35 @@ SurfaceCorners TerrainSurface::corners(std::uint32_t t) const
   return { all + numberOf(v[0]), all + numberOf(v[1]), all + numberOf(v[2]) };
 }
 
+/// A point that is at no vertex is in the next cell, too, if it is on an edge.
+bool TerrainSurface::isLowestAt(std::uint32_t t, const Vertex& p) const
+{
+  const Triangle& triangle = this->mesh.triangle(t);
+  for (int e = 0; e < 3; ++e)
+  {
+    const std::uint32_t other = triangleOf(triangle.twin[e]);
+    if (other < t && this->isCell(other) &&
+      this->mesh.orient(
+        this->mesh.vertex(triangle.v[e]), this->mesh.vertex(triangle.v[nextCorner(e)]), p) == 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::uint32_t TerrainSurface::addSlot(std::uint32_t v)
+{
+  Vertex flat = this->points[v];
+  flat.x[2] = 0.0; // heights are no weights
+  this->number.push_back(v);
+  return this->mesh.addSlot(flat);
+}
+
 void TerrainSurface::insert(std::uint32_t v, std::uint32_t t)
 {
-  this->center = slotOf(v);
+  this->center = this->addSlot(v);
   ensure(this->mesh.insertIn(this->center, t));
-  this->findSpokes();
 }
 
 void TerrainSurface::findSpokes()

@@ -30,7 +30,26 @@ public:
 
   /// Cells are triangles by index. Those at the virtual vertex, and dead ones, are none.
   std::size_t cellCount() const { return this->mesh.triangleCount(); }
+  bool isCell(std::uint32_t t) const { return !this->mesh.isVirtual(t); }
   SurfaceCorners corners(std::uint32_t t) const;
+
+  /// The corners of a cell, by numbers of points.
+  void numbers(std::uint32_t t, std::uint32_t* corner) const
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      corner[i] = numberOf(this->mesh.triangle(t).v[i]);
+    }
+  }
+
+  /// Is no lower cell at a point of a cell?
+  bool isLowestAt(std::uint32_t t, const Vertex& p) const;
+
+  /// Orientation of three points.
+  int orient(const Vertex& a, const Vertex& b, const Vertex& c) const
+  {
+    return this->mesh.orient(a, b, c);
+  }
 
   /// Insert point @p v, which is in cell @p t, its border included, but at no vertex.
   /// @throw Error TooManyPoints
@@ -42,15 +61,16 @@ public:
   /// And those in their place, counter-clockwise around the new vertex; some have the same numbers.
   const std::vector<std::uint32_t>& parts() const { return this->mesh.fan(); }
 
+  /// Before findParts().
+  void findSpokes();
+
   /// Which of these holds each of some points of those that were replaced.
   /// @param part receives indices of parts()
   void findParts(const std::vector<std::uint32_t>& some, std::vector<std::uint32_t>& part) const;
 
   const EditableMesh<false>& triangulation() const { return this->mesh; }
-  /// The point in a slot of it, by number. Slots are in the order of the curve, too: it is memory
-  /// that is near for what is near.
-  static std::uint32_t numberOf(std::uint32_t slot) { return slot - 1; }
-  static std::uint32_t slotOf(std::uint32_t number) { return number + 1; }
+  /// The point in a slot of it, by number. Slots are those of vertices, as they were inserted.
+  std::uint32_t numberOf(std::uint32_t slot) const { return this->number[slot]; }
 
   std::int64_t checkCount() const { return this->mesh.checkCount(); }
   std::int64_t exactCalls() const { return this->mesh.signs().unraised().predicateCounts().exact; }
@@ -63,15 +83,16 @@ private:
     std::uint32_t slot;
   };
 
-  void findSpokes();
+  std::uint32_t addSlot(std::uint32_t v);
   bool isLeftOf(const Spoke& spoke, const Vertex& p) const;
   std::size_t partFrom(const Vertex& p, std::size_t i) const;
   void findPartsOfBlock(const std::uint32_t* some, std::size_t size, std::uint32_t* part) const;
 
   const TerrainPoints& points;
   EditableMesh<false> mesh;
-  std::uint32_t center = 0;  ///< the slot of the last vertex inserted
-  std::vector<Spoke> spokes; ///< of it, one a part
+  std::vector<std::uint32_t> number; ///< by slot
+  std::uint32_t center = 0;          ///< the slot of the last vertex inserted
+  std::vector<Spoke> spokes;         ///< of it, one a part
 };
 
 }
