@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -23,7 +24,7 @@
 
 // Nightly more.
 #ifndef FLIPFLOP_TERRAINS
-#define FLIPFLOP_TERRAINS 600
+#define FLIPFLOP_TERRAINS 1000
 #endif
 
 namespace flipflop
@@ -247,7 +248,7 @@ Point drawPosition(Random& random, int kind, std::size_t i)
 {
   switch (kind)
   {
-    case 0: // a raster
+    case 0: // a raster, shuffled
       return { double(i % 6), double(i / 6), 0 };
     case 1: // a few integers: ties, duplicates, points on constraints
       return { double(random.integer(0, 4)), double(random.integer(0, 4)), 0 };
@@ -264,6 +265,59 @@ Point drawPosition(Random& random, int kind, std::size_t i)
     default:
       return { random.uniform(-1, 1), random.uniform(-1, 1), 0 };
   }
+}
+
+/// Row by row or column by column. Axes ascend or descend, in steps of one or of any length.
+Cloud drawImage(Random& random)
+{
+  const auto drawAxis = [&random](int most)
+  {
+    const bool isUneven = random.integer(0, 1) == 1;
+    std::vector<double> axis = { random.integer(0, 1) ? 0.0 : random.uniform(-5, 5) };
+    for (int i = random.integer(1, most); i > 0; --i)
+    {
+      axis.push_back(axis.back() + (isUneven ? std::ldexp(1, random.integer(-9, 0)) : 1.0));
+    }
+    if (random.integer(0, 1))
+    {
+      std::reverse(axis.begin(), axis.end());
+    }
+    return axis;
+  };
+  const bool isLong = random.integer(0, 7) == 0;
+  const std::vector<double> fast = drawAxis(isLong ? 2 : 7);
+  const std::vector<double> slow = drawAxis(isLong ? 80 : 7);
+  const int axis = random.integer(0, 1);
+  Cloud image;
+  for (const double row : slow)
+  {
+    for (const double column : fast)
+    {
+      Point p = {};
+      p[axis] = column;
+      p[1 - axis] = row;
+      image.push_back(p);
+    }
+  }
+  return image;
+}
+
+Cloud drawPositions(Random& random, int kind)
+{
+  if (kind == 6)
+  {
+    return drawImage(random);
+  }
+  Cloud cloud(static_cast<std::size_t>(random.integer(0, 36)));
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    cloud[i] = drawPosition(random, kind, i);
+  }
+  if (kind == 0 || random.integer(0, 1))
+  {
+    random.shuffle(cloud);
+  }
+  return cloud;
 }
 
 double drawHeight(Random& random, int kind, const Point& p)
@@ -284,24 +338,19 @@ double drawHeight(Random& random, int kind, const Point& p)
 Terrain drawTerrain(Random& random)
 {
   Terrain terrain;
-  const int positions = random.integer(0, 5);
+  const int positions = random.integer(0, 6);
   const int heights = random.integer(0, 3);
-  const auto count = static_cast<std::size_t>(random.integer(0, 36));
   static const int exponents[] = { 0, 0, 0, -500, 480, -1040, 990 };
   const int unit = exponents[random.pick(5)];
   const int heightUnit = exponents[random.pick(7)];
-  for (std::size_t i = 0; i < count; ++i)
+  terrain.cloud = drawPositions(random, positions);
+  for (Point& p : terrain.cloud)
   {
-    Point p = drawPosition(random, positions, i);
     p[2] = std::ldexp(drawHeight(random, heights, p), heightUnit);
     p[0] = std::ldexp(p[0], unit);
     p[1] = std::ldexp(p[1], unit);
-    terrain.cloud.push_back(p);
   }
-  if (positions == 0 || random.integer(0, 1))
-  {
-    random.shuffle(terrain.cloud);
-  }
+  const std::size_t count = terrain.cloud.size();
   for (int i = random.integer(0, 6); count > 0 && i > 0; --i)
   {
     terrain.breaklines.push_back({ static_cast<std::int64_t>(random.pick(count)),
