@@ -169,9 +169,9 @@ private:
     }
   };
 
-  void consider(std::uint32_t cell, std::uint32_t p, double distance)
+  /// Of several as far, the lowest id is the worst.
+  void consider(std::uint32_t p, double distance, Worst& so) const
   {
-    Worst& so = this->worst[cell];
     if (distance > so.distance ||
       (distance == so.distance && this->points[p].id < this->points[so.point].id))
     {
@@ -207,33 +207,21 @@ private:
     }
   }
 
-  /// The farthest point of a cell, of several the lowest id.
+  /// The farthest point of a cell.
   void findWorst(std::uint32_t cell)
   {
     const RoundedPlane plane(this->surface.corners(cell));
     Worst found;
-    std::uint32_t id = NoIndex;
     this->cells.eachIn(cell,
       [&](std::uint32_t p, double x, double y, double height)
-      {
-        const double distance = plane.distance(x, y, height);
-        if (distance >= found.distance)
-        {
-          const std::uint32_t other = this->points[p].id;
-          if (distance > found.distance || other < id)
-          {
-            found = { distance, p };
-            id = other;
-          }
-        }
-      });
+      { this->consider(p, plane.distance(x, y, height), found); });
     this->worst[cell] = found;
   }
 
   /// Of a cell whose worst point is within the tolerance.
   void settle(std::uint32_t cell, const SurfacePlane& plane)
   {
-    this->worst[cell] = Worst();
+    Worst found;
     this->cells.eachIn(cell,
       [&](std::uint32_t p, double, double, double)
       {
@@ -241,9 +229,10 @@ private:
         const Vertex& point = this->points[p];
         if (plane.isBeyond(point, this->limits.tolerance))
         {
-          this->consider(cell, p, std::fabs(plane.height(point)));
+          this->consider(p, std::fabs(plane.height(point)), found);
         }
       });
+    this->worst[cell] = found;
     this->enqueue(cell);
   }
 

@@ -4,16 +4,18 @@
 /// The points in the cells of a terrain that is an image: found by the rows that a triangle
 /// crosses, so no lists are kept.
 ///
-/// Where an edge crosses a row is estimated; exact signs find the column. A point on an edge is in
-/// both its triangles.
+/// Where an edge crosses a row of an image of even spacing, whole numbers tell. Of others it is
+/// estimated, and exact signs find the column. A point on an edge is in both its triangles.
 #ifndef flipflop_GridCells_h
 #define flipflop_GridCells_h
 
+#include "Predicates/DoubleDouble.h"
 #include "Terrain/TerrainPoints.h"
 #include "Terrain/TerrainSurface.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -43,48 +45,33 @@ public:
     {
       this->heights[p] = this->points[p].x[2];
     }
+    this->isEven = isEvenly(this->fastAt) && isEvenly(this->slowAt);
   }
 
   /// use (number, x, y, height) for each point in a cell that is no vertex.
   template <class Use>
   void eachIn(std::uint32_t cell, const Use& use) const
   {
-    // Rows are far apart in memory: some are requested before any is read.
-    constexpr std::size_t AtOnce = 32;
-    Run runs[AtOnce];
-    std::size_t count = 0;
-    const auto readAll = [&]
-    {
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        this->read(runs[i], use);
-      }
-      count = 0;
-    };
-    this->eachRow(cell,
-      [&](const Run& run)
-      {
-        prefetch(&this->heights[run.row * this->columns + run.low]);
-        runs[count++] = run;
-        if (count == AtOnce)
-        {
-          readAll();
-        }
-      });
-    readAll();
+    this->eachSpan(cell, [&](const Span& span) { this->read(span, use); });
   }
 
   /// The same, once for a point that is in several cells: in the lowest.
   template <class Use>
   void eachOnceIn(std::uint32_t cell, const Use& use) const
   {
-    this->eachIn(cell,
-      [&](std::uint32_t p, double x, double y, double height)
+    this->eachSpan(cell,
+      [&](const Span& span)
       {
-        if (this->surface.isLowestAt(cell, this->points[p]))
-        {
-          use(p, x, y, height);
-        }
+        this->read(span,
+          [&](std::uint32_t p, double x, double y, double height)
+          {
+            const std::uint32_t column = p - span.row * this->columns;
+            const bool isInside = !span.isEdge && column > span.low && column + 1 < span.end;
+            if (isInside || this->surface.isLowestAt(cell, this->points[p]))
+            {
+              use(p, x, y, height);
+            }
+          });
       });
   }
 
@@ -100,9 +87,10 @@ private:
   };
 
   /// The columns from low on, before end.
-  struct Run
+  struct Span
   {
     std::uint32_t row, low, end;
+    bool isEdge; ///< of the cell
   };
 
   /// Without its height.
@@ -115,11 +103,11 @@ private:
   }
 
   template <class Use>
-  void read(const Run& run, const Use& use) const
+  void read(const Span& span, const Use& use) const
   {
-    const std::uint32_t first = run.row * this->columns;
-    const double slow = this->slowAt[run.row];
-    for (std::uint32_t c = run.low; c < run.end; ++c)
+    const std::uint32_t first = span.row * this->columns;
+    const double slow = this->slowAt[span.row];
+    for (std::uint32_t c = span.low; c < span.end; ++c)
     {
       const double along = this->fastAt[c];
       use(first + c, this->fast == 0 ? along : slow, this->fast == 0 ? slow : along,
@@ -127,8 +115,36 @@ private:
     }
   }
 
-  /// use (Run) for each row that a triangle crosses, without its corners: no other vertices are in
-  /// a triangle.
+  /// use (Span) for each row that a triangle crosses.
+  template <class Use>
+  void eachSpan(std::uint32_t cell, const Use& use) const
+  {
+    // Rows are far apart in memory: some are requested before any is read.
+    constexpr std::size_t AtOnce = 32;
+    Span spans[AtOnce];
+    std::size_t count = 0;
+    const auto useAll = [&]
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        use(spans[i]);
+      }
+      count = 0;
+    };
+    this->eachRow(cell,
+      [&](const Span& span)
+      {
+        prefetch(&this->heights[span.row * this->columns + span.low]);
+        spans[count++] = span;
+        if (count == AtOnce)
+        {
+          useAll();
+        }
+      });
+    useAll();
+  }
+
+  /// The same, in order. Corners are left out: no other vertices are in a triangle.
   template <class Use>
   void eachRow(std::uint32_t cell, const Use& use) const
   {
@@ -146,9 +162,11 @@ private:
     {
       std::uint32_t low = 0;
       std::uint32_t end = this->columns;
+      bool isEdge = false;
       for (int i = 0; i < 3; ++i)
       {
         const int j = nextCorner(i);
+        isEdge = isEdge || (row[i] == r && row[j] == r);
         if (row[i] == row[j] || r < std::min(row[i], row[j]) || r > std::max(row[i], row[j]))
         {
           continue;
@@ -169,15 +187,41 @@ private:
       }
       if (low < end)
       {
-        use(Run{ r, low, end });
+        use(Span{ r, low, end, isEdge });
       }
     }
+  }
+
+  /// Are all steps the same?
+  static bool isEvenly(const std::vector<double>& axis)
+  {
+    const DoubleDouble first = doubleDifference(axis[1], axis[0]);
+    for (std::size_t i = 2; i < axis.size(); ++i)
+    {
+      const DoubleDouble step = doubleDifference(axis[i], axis[i - 1]);
+      if (step.high != first.high || step.low != first.low)
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
   /// The last column of a row that is on the left of an edge, or on it; or the first.
   /// @param row between those of the ends
   std::uint32_t crossing(const Pixel& p, const Pixel& q, std::uint32_t row, bool wantsLast) const
   {
+    if (this->isEven)
+    {
+      const auto offset = [](std::uint32_t a, std::uint32_t b) { return std::int64_t(a) - b; };
+      const std::int64_t rows = offset(q.row, p.row);
+      const std::int64_t steps = offset(row, p.row) * offset(q.column, p.column);
+      const bool isBetween = steps % rows != 0;
+      const bool isNegative = (steps < 0) != (rows < 0);
+      const std::int64_t rounding =
+        wantsLast ? -(isBetween && isNegative) : isBetween && !isNegative;
+      return static_cast<std::uint32_t>(p.column + steps / rows + rounding);
+    }
     const Vertex from = this->at(p.row, p.column);
     const Vertex to = this->at(q.row, q.column);
     const auto isIn = [&](std::uint32_t column)
@@ -229,6 +273,7 @@ private:
   const std::uint32_t columns;
   const int fast;                     ///< axis
   std::vector<double> fastAt, slowAt; ///< coordinates along both
+  bool isEven;                        ///< both
   Buffer<double> heights;             ///< by number
 };
 
