@@ -288,7 +288,6 @@ private:
   bool removeVisible(std::uint32_t slot);
   void openStar(std::uint32_t slot);
   bool isLinkOnLine() const;
-  bool anySideFixed() const;
   void fillByEars();
   bool isEar(std::size_t i, std::size_t j, const std::vector<std::size_t>& next) const;
   void fillAlongLine();

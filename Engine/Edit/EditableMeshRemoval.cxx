@@ -4,10 +4,11 @@
 /// The removal of a vertex: the triangles around it become those of its link.
 ///
 /// All corners of the link stay visible without it, and triangles elsewhere stay as they are. So
-/// the hole is filled by the triangles of the link's own triangulation that are inside it. A
+/// the hole is filled by the triangles of the link's own triangulation that are inside it. No edge
+/// at the vertex is fixed, so it sees all corners: none is above a triangle of its star, and each
+/// side of the link, fixed or not, is an edge of that triangulation. A
 /// triangle of three neighbours in the link is one of them (an ear) if no other corner is above it
 /// (O. Devillers, "On deletion in Delaunay triangulations", 2002).
-#include "Constraints/EdgeInsertion.h"
 #include "Edit/EditableMesh.h"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ bool EditableMesh<Weighted>::removeVisible(std::uint32_t slot)
   {
     this->fillAlongLine();
   }
-  else if (count <= MostByEars && !this->anySideFixed())
+  else if (count <= MostByEars)
   {
     this->fillByEars();
   }
@@ -142,13 +143,6 @@ bool EditableMesh<Weighted>::isLinkOnLine() const
     }
   }
   return true;
-}
-
-template <bool Weighted>
-bool EditableMesh<Weighted>::anySideFixed() const
-{
-  return std::any_of(
-    this->sides.begin(), this->sides.end(), [](const Side& side) { return side.isFixed; });
 }
 
 /// One of the star's triangles, to be used again.
@@ -295,27 +289,6 @@ void EditableMesh<Weighted>::fillByTriangulation()
   for (const std::uint32_t slot : order)
   {
     ensure(alone.isVisible(slot) || alone.insert(slot));
-  }
-
-  if constexpr (!Weighted)
-  {
-    if (this->anySideFixed())
-    {
-      // Points that a fixed edge hides from the hole do not count.
-      Monitor quiet{ Options() };
-      EdgeInsertion<EditableMesh> insertion(alone, quiet);
-      for (std::uint32_t slot = 1; slot <= corners; ++slot)
-      {
-        const Side& side = this->sides[sideAt[slot]];
-        const std::uint32_t next = slot < corners ? slot + 1 : 1;
-        if (side.from != 0 && side.to != 0)
-        {
-          insertion.insert(
-            slot, next, [] { return false; }, [](std::uint32_t, std::uint32_t) {},
-            [](std::uint32_t) { throw Error(ErrorCode::Internal); });
-        }
-      }
-    }
   }
 
   // A half-edge of the link's own triangulation is a side if it runs to the next corner.
