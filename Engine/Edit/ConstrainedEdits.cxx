@@ -42,7 +42,6 @@ void ConstrainedEdits::insertPoint(std::uint32_t slot)
     this->setCount(ends[0], ends[1], 0);
     this->setCount(ends[0], slot, count);
     this->setCount(slot, ends[1], count);
-    ++this->divided;
   }
 }
 
@@ -60,13 +59,7 @@ bool ConstrainedEdits::removePoint(std::uint32_t slot)
   const std::uint32_t other = this->mesh.nextAt(slot);
   if (other == 0 && spokes.size() != 2)
   {
-    // Constraints meet here, and none ends: they would cross.
-    std::vector<std::uint64_t> edges;
-    for (const Spoke& spoke : spokes)
-    {
-      edges.push_back(MeshOfPoints::edgeKey(slot, spoke.end));
-    }
-    throw Error(ErrorCode::ConstraintsCross, -1, this->firstAlong(edges));
+    return false; // they cross, unless another point comes here
   }
   this->releaseSpokes(slot, spokes);
   if (!this->mesh.remove(slot))
@@ -83,6 +76,18 @@ bool ConstrainedEdits::removePoint(std::uint32_t slot)
     this->fix(other, spoke.end, spoke.count);
   }
   return true;
+}
+
+bool ConstrainedEdits::divides(std::uint32_t slot) const
+{
+  if (!this->mesh.isVisible(slot) || this->spokesOf(slot).empty())
+  {
+    return false;
+  }
+  bool isEnd = false;
+  this->mesh.eachAt(
+    slot, [&](std::uint32_t other) { isEnd = isEnd || this->constraints.anyAt(other); });
+  return !isEnd;
 }
 
 void ConstrainedEdits::insert(std::uint32_t number)

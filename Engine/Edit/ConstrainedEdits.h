@@ -31,13 +31,14 @@ public:
   ConstrainedEdits(
     MeshOfPoints& mesh, const ConstraintList& constraints, EdgeCounts& counts, Monitor& monitor);
 
-  /// How many fixed edges were divided by points.
-  std::int64_t dividedCount() const { return this->divided; }
+  /// Is a point visible inside a constraint? Then it divides a fixed edge.
+  bool divides(std::uint32_t slot) const;
 
   void insertPoint(std::uint32_t slot);
 
-  /// @return false if the points left would span no triangle: then all is to be made again
-  /// @throw Error ConstraintsCross: two constraints do then, where the point was
+  /// @return false: all is to be made again, since the other points span no triangle, or
+  /// constraints
+  ///         meet at the point. Then nothing was changed, but for fixed edges at the point
   bool removePoint(std::uint32_t slot);
 
   /// Fix the edges of a constraint.
@@ -74,7 +75,6 @@ private:
   EdgeCounts& counts;
   EdgeInsertion<MeshOfPoints> insertion;
   std::vector<std::uint32_t> absent; ///< constraints that have no edges now
-  std::int64_t divided = 0;
 };
 
 }

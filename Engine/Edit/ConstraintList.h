@@ -83,9 +83,14 @@ public:
   std::uint32_t end(std::uint32_t number, int which) const { return this->all[number].end[which]; }
 
   /// @return its number
+  /// @throw Error TooManyPoints
   std::uint32_t add(std::uint32_t a, std::uint32_t b)
   {
-    const auto number = static_cast<std::uint32_t>(this->all.size());
+    const std::uint32_t number = this->numberCount();
+    if (number == MostNumbers)
+    {
+      throw Error(ErrorCode::TooManyPoints, -1, std::int64_t(number));
+    }
     this->all.append({ { a, b }, { NoLink, NoLink }, { NoLink, NoLink } });
     for (std::uint32_t link = 2 * number; link < 2 * number + 2; ++link)
     {
@@ -99,6 +104,20 @@ public:
     }
     ++this->present;
     return number;
+  }
+
+  /// Give the next numbers to no constraint.
+  /// @throw Error TooManyPoints
+  void skip(std::int64_t count)
+  {
+    if (count > std::int64_t(MostNumbers) - this->numberCount())
+    {
+      throw Error(ErrorCode::TooManyPoints, -1, count);
+    }
+    for (; count > 0; --count)
+    {
+      this->all.append({ { NoSlot, NoSlot }, { NoLink, NoLink }, { NoLink, NoLink } });
+    }
   }
 
   void remove(std::uint32_t number)
@@ -156,6 +175,8 @@ public:
 private:
   static constexpr std::uint32_t NoSlot = 0;
   static constexpr std::uint32_t NoLink = NoIndex;
+  static constexpr std::uint32_t MostNumbers =
+    NoLink / 2; ///< a link is twice a number, or one more
 
   /// Link 2 * number + which is in the list of the constraints that end where this end is.
   struct Constraint

@@ -223,11 +223,9 @@ std::vector<std::uint32_t> EditableMesh<Weighted>::visibleOfAll() const
   std::vector<std::uint32_t> result(this->slotCount());
   for (std::uint32_t slot = 1; slot < this->slotCount(); ++slot)
   {
-    result[slot] = this->isVisible(slot) ? slot : result[slot];
-    for (std::uint32_t other = this->isVisible(slot) ? this->nextAt(slot) : NoSlot; other != NoSlot;
-         other = this->hanging[other].next)
+    if (this->isVisible(slot))
     {
-      result[other] = slot;
+      this->eachAt(slot, [&](std::uint32_t other) { result[other] = slot; });
     }
   }
   return result;

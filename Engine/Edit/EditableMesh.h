@@ -8,8 +8,8 @@
 ///
 /// - Insertion: a walk to the point; the triangles that it is above, from there on, are the cavity,
 ///   which a fan around the point replaces (A. Bowyer, D. F. Watson, 1981). Fixed edges bound it.
-/// - Removal: the triangles around the vertex become those of its link alone: by ears (the
-///   power test tells which), of many by a triangulation of the link.
+/// - Removal: the triangles around the vertex become those of its link alone: by ears (by
+///   the power test), of many by a triangulation of the link.
 /// - A hidden point hangs where it is found again once it may appear: at a point of its position
 ///   that hides it, or else in the triangle that it is beneath (the conflict lists of Flip-Flop for
 ///   regular triangulations; the paper's section 4). When that triangle goes, it is tried again.
@@ -24,10 +24,12 @@
 #include "Geometry/PositionGrid.h"
 #include "Mesh/Mesh.h"
 #include "Points/Vertex.h"
+#include <flipflop/ConstrainedTriangulation.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <iterator>
 #include <vector>
 
 namespace flipflop
@@ -98,9 +100,25 @@ public:
   /// Begin with three points, in slots, which are not collinear.
   void start(const std::uint32_t (&corner)[3]);
 
-  /// Begin with a triangulation of slots, counter-clockwise triangles without the virtual ones.
-  /// @param corners three a triangle
-  void adopt(const std::vector<std::uint32_t>& corners);
+  /// Begin with a triangulation of slots.
+  /// @param slotOf std::uint32_t (corner of it)
+  template <class SlotOf>
+  void adopt(const ConstrainedTriangulation& made, const SlotOf& slotOf)
+  {
+    std::vector<std::uint32_t> corners;
+    corners.reserve(made.connectivity.size());
+    std::transform(
+      made.connectivity.begin(), made.connectivity.end(), std::back_inserter(corners), slotOf);
+    this->adopt(corners);
+    std::vector<std::uint64_t> fixed;
+    fixed.reserve(made.fixedEdges.size() / 2);
+    for (std::size_t i = 0; i < made.fixedEdges.size(); i += 2)
+    {
+      fixed.push_back(edgeKey(slotOf(made.fixedEdges[i]), slotOf(made.fixedEdges[i + 1])));
+    }
+    std::sort(fixed.begin(), fixed.end());
+    this->fix(fixed);
+  }
 
   /// The triangle that holds a point, its border included; a virtual one if the point is outside.
   /// @param fewSteps after so many from where the last edit was, a grid of hints is asked
@@ -149,9 +167,7 @@ public:
   std::uint32_t twin(std::uint32_t h) const { return this->triangles[h >> 2].twin[h & 3]; }
   std::uint32_t origin(std::uint32_t h) const { return this->triangles[h >> 2].v[h & 3]; }
 
-  /// Edges of a triangulation that was adopted are fixed.
-  /// @param edges keys of both ends, the lower one high, sorted
-  void fix(const std::vector<std::uint64_t>& edges);
+  /// Both ends, the lower one high.
   static std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b)
   {
     return std::uint64_t(a < b ? a : b) << 32 | (a < b ? b : a);
@@ -178,6 +194,18 @@ public:
 
   /// The same for all slots.
   std::vector<std::uint32_t> visibleOfAll() const;
+
+  /// use (slot) for a visible point, and for each that is hidden at its position.
+  template <class Use>
+  void eachAt(std::uint32_t slot, const Use& use) const
+  {
+    use(slot);
+    for (std::uint32_t other = this->nextAt(slot); other != NoSlot;
+         other = this->hanging[other].next)
+    {
+      use(other);
+    }
+  }
 
   /// The next point that is visible where a visible one is; 0: there is none.
   std::uint32_t nextAt(std::uint32_t slot) const { return this->hangingOf(slot).first; }
@@ -251,6 +279,11 @@ private:
   {
     return this->isAbove(this->triangles[t], p);
   }
+
+  /// @param corners of counter-clockwise triangles, without the virtual ones
+  void adopt(const std::vector<std::uint32_t>& corners);
+  /// @param edges keys, sorted
+  void fix(const std::vector<std::uint64_t>& edges);
 
   /// The first hidden point of a triangle: before the finish, flatEdges has no other use.
   std::uint32_t firstHidden(std::uint32_t t) const { return this->triangles[t].flatEdges; }

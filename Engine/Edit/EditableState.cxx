@@ -163,9 +163,17 @@ EditableState::Edit EditableState::beginEdit(Monitor& monitor, ProgressOfParts& 
   return edit;
 }
 
-void EditableState::endEdit(const Edit& edit)
+/// @param slots of the edit
+void EditableState::countDivided(const std::vector<std::uint32_t>& slots, Monitor& monitor)
 {
-  this->known.divided = edit.constrained ? edit.constrained->dividedCount() : 0;
+  if (this->list.count() == 0 || !this->hasTriangles())
+  {
+    return;
+  }
+  const ConstrainedEdits edits(
+    std::get<EditableMesh<false>>(this->now.mesh), this->list, this->now.counts, monitor);
+  this->known.divided = std::count_if(
+    slots.begin(), slots.end(), [&](std::uint32_t slot) { return edits.divides(slot); });
 }
 
 /// Do so many edits take longer one by one than a triangulation of all?
@@ -200,19 +208,21 @@ void EditableState::insert(const PointSource& points, Monitor& monitor, Progress
       this->inMesh([slot](auto& m) { m.wait(slot); });
     }
     this->triangulate(edit);
-    return;
   }
-  if (slots.size() > 1)
+  else
   {
-    this->sortSlots(slots, edit);
+    if (slots.size() > 1)
+    {
+      this->sortSlots(slots, edit);
+    }
+    StepPoll poll(monitor);
+    for (const std::uint32_t slot : slots)
+    {
+      poll.step();
+      this->insertSlot(slot, edit);
+    }
   }
-  StepPoll poll(monitor);
-  for (const std::uint32_t slot : slots)
-  {
-    poll.step();
-    this->insertSlot(slot, edit);
-  }
-  this->endEdit(edit);
+  this->countDivided(slots, monitor);
 }
 
 void EditableState::sortSlots(std::vector<std::uint32_t>& slots, Edit& edit) const
@@ -235,36 +245,29 @@ void EditableState::insertSlot(std::uint32_t slot, Edit& edit)
     return;
   }
   this->inMesh([slot](auto& m) { m.wait(slot); });
-  std::uint32_t* const span = this->known.span;
-  if (span[1] == 0 || slot < span[0])
-  {
-    this->findSpan(span[0] == 0 ? slot : std::min(slot, span[0]));
-    return;
-  }
-  const bool isOffLine = this->inMesh([&](const auto& m)
-    { return m.orient(m.vertex(span[0]), m.vertex(span[1]), m.vertex(slot)) != 0; });
+  const std::uint32_t* const span = this->known.span;
+  const bool isOffLine = span[1] != 0 &&
+    this->inMesh([&](const auto& m)
+      { return m.orient(m.vertex(span[0]), m.vertex(span[1]), m.vertex(slot)) != 0; });
   if (isOffLine)
   {
     this->triangulate(edit);
+    return;
   }
+  this->addToSpan(slot);
 }
 
-/// @param from all points that wait have this slot or a later one
-void EditableState::findSpan(std::uint32_t from)
+void EditableState::addToSpan(std::uint32_t slot)
 {
   std::uint32_t* const span = this->known.span;
-  span[0] = span[1] = 0;
-  for (std::uint32_t slot = from; slot <= this->idCount() && span[1] == 0; ++slot)
+  if (span[0] == 0)
   {
-    const Vertex& v = this->vertex(slot);
-    if (v.flags != 0 && span[0] == 0)
-    {
-      span[0] = slot;
-    }
-    else if (v.flags != 0 && !LiftedGeometry<true>::samePlanePosition(this->vertex(span[0]), v))
-    {
-      span[1] = slot;
-    }
+    span[0] = slot;
+  }
+  else if (span[1] == 0 &&
+    !LiftedGeometry<true>::samePlanePosition(this->vertex(span[0]), this->vertex(slot)))
+  {
+    span[1] = slot;
   }
 }
 
@@ -281,7 +284,8 @@ void EditableState::remove(
   }
   Edit edit = this->beginEdit(monitor, parts);
   this->known.present -= static_cast<std::int64_t>(slots.size());
-  bool remakes = this->hasTriangles() && this->paysToRemake(slots.size());
+  const bool hasTriangles = this->hasTriangles();
+  bool remakes = hasTriangles && this->paysToRemake(slots.size());
   std::vector<std::uint32_t> order = slots;
   if (order.size() > 1 && !remakes)
   {
@@ -291,13 +295,9 @@ void EditableState::remove(
   for (const std::uint32_t slot : order)
   {
     poll.step();
-    if (!remakes && !this->hasTriangles())
+    if (!hasTriangles || remakes || !this->removeFromTriangles(slot, edit))
     {
-      this->removeWaiting(slot);
-    }
-    else if (remakes || !this->removeFromTriangles(slot, edit))
-    {
-      remakes = true;
+      remakes = hasTriangles;
       this->inMesh([slot](auto& m) { m.forget(slot); });
     }
   }
@@ -312,16 +312,6 @@ bool EditableState::removeFromTriangles(std::uint32_t slot, Edit& edit)
 {
   return edit.constrained ? edit.constrained->removePoint(slot)
                           : this->inMesh([slot](auto& m) { return m.remove(slot); });
-}
-
-void EditableState::removeWaiting(std::uint32_t slot)
-{
-  this->inMesh([slot](auto& m) { m.forget(slot); });
-  const std::uint32_t* const span = this->known.span;
-  if (slot == span[0] || slot == span[1])
-  {
-    this->findSpan(span[0]);
-  }
 }
 
 void EditableState::move(const std::vector<std::uint32_t>& slots, const PointSource& points,
@@ -379,13 +369,15 @@ void EditableState::move(const std::vector<std::uint32_t>& slots, const PointSou
   if (remakes)
   {
     this->triangulate(edit);
-    return;
   }
-  for (const std::uint32_t number : carried)
+  else
   {
-    edit.constrained->insert(number);
+    for (const std::uint32_t number : carried)
+    {
+      edit.constrained->insert(number);
+    }
   }
-  this->endEdit(edit);
+  this->countDivided(slots, monitor);
 }
 
 void EditableState::insertConstraints(const std::vector<std::uint32_t>& ends, Monitor& monitor)

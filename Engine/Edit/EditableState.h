@@ -41,7 +41,7 @@ public:
   void load(std::uint32_t slot, double* x) const;
 
   ///@{
-  /// Edits of points, of which nothing is final before commit().
+  /// Edits, of which nothing is final before commit().
   /// @param points as they were given; those that are not finite are left out
   void insert(const PointSource& points, Monitor& monitor, ProgressOfParts& parts);
   void remove(const std::vector<std::uint32_t>& slots, Monitor& monitor, ProgressOfParts& parts);
@@ -56,7 +56,9 @@ public:
   ///@}
 
   const ConstraintList& constraints() const { return this->list; }
-  /// Of the last edit: how many fixed edges its points divided.
+  /// Give numbers to no constraint.
+  void skipConstraints(std::int64_t count) { this->list.skip(count); }
+  /// Of the last edit: how many fixed edges its points divide.
   std::int64_t dividedCount() const { return this->known.divided; }
 
   bool locate(const double* x, std::int64_t* corners);
@@ -96,13 +98,12 @@ private:
     bool isAlongCurve;                           ///< points that follow each other are near
   };
   Edit beginEdit(Monitor& monitor, ProgressOfParts& parts);
-  void endEdit(const Edit& edit);
+  void countDivided(const std::vector<std::uint32_t>& slots, Monitor& monitor);
 
   void sortSlots(std::vector<std::uint32_t>& slots, Edit& edit) const;
   void insertSlot(std::uint32_t slot, Edit& edit);
   bool removeFromTriangles(std::uint32_t slot, Edit& edit);
-  void removeWaiting(std::uint32_t slot);
-  void findSpan(std::uint32_t from);
+  void addToSpan(std::uint32_t slot);
   bool paysToRemake(std::size_t edits) const;
   void triangulate(Edit& edit);
   template <bool Weighted>
@@ -118,7 +119,9 @@ private:
   struct Known
   {
     PointFrame frame;
-    std::uint32_t span[2] = { 0, 0 }; ///< while points wait: the first two of different positions
+    /// While points wait: they are on the line through the positions of both, which are two, and
+    /// may be those of removed points. The second is 0: all are at the position of the first.
+    std::uint32_t span[2] = { 0, 0 };
     std::int64_t present = 0;
     std::int64_t divided = 0;
   };

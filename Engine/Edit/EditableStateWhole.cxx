@@ -9,7 +9,6 @@
 #include <flipflop/RegularTriangulation.h>
 
 #include <algorithm>
-#include <iterator>
 #include <type_traits>
 
 namespace flipflop
@@ -81,8 +80,7 @@ ConstrainedTriangulation EditableState::triangulationOf(
   catch (const Error& error)
   {
     throw error.code() == ErrorCode::ConstraintsCross
-      ? Error(error.code(), numbers[static_cast<std::size_t>(error.index())],
-          numbers[static_cast<std::size_t>(error.count())])
+      ? Error(error.code(), -1, numbers[static_cast<std::size_t>(error.count())])
       : error;
   }
   for (std::int64_t& number : result.constraintOf)
@@ -117,7 +115,11 @@ void EditableState::triangulate(Edit& edit)
       m = std::move(fresh);
       this->now.counts = EdgeCounts();
     });
-  this->findSpan(this->hasTriangles() ? NoIndex : 1);
+  std::fill_n(this->known.span, 2, 0u);
+  for (std::size_t i = 0; !this->hasTriangles() && i < slots.size(); ++i)
+  {
+    this->addToSpan(slots[i]);
+  }
   if (this->list.count() > 0 && this->hasTriangles())
   {
     ConstrainedEdits(
@@ -139,21 +141,9 @@ void EditableState::adopt(EditableMesh<Weighted>& fresh, const std::vector<std::
     }
     return;
   }
-  const auto slotOfCorner = [&](std::int64_t corner)
-  { return slots[static_cast<std::size_t>(made.pointIds[static_cast<std::size_t>(corner)])]; };
-  std::vector<std::uint32_t> corners;
-  corners.reserve(made.connectivity.size());
-  std::transform(
-    made.connectivity.begin(), made.connectivity.end(), std::back_inserter(corners), slotOfCorner);
-  fresh.adopt(corners);
-  std::vector<std::uint64_t> fixed;
-  for (std::size_t i = 0; i < made.fixedEdges.size(); i += 2)
-  {
-    fixed.push_back(EditableMesh<Weighted>::edgeKey(
-      slotOfCorner(made.fixedEdges[i]), slotOfCorner(made.fixedEdges[i + 1])));
-  }
-  std::sort(fixed.begin(), fixed.end());
-  fresh.fix(fixed);
+  fresh.adopt(made,
+    [&](std::int64_t corner)
+    { return slots[static_cast<std::size_t>(made.pointIds[static_cast<std::size_t>(corner)])]; });
   std::vector<std::uint32_t> hidden;
   for (const std::int64_t id : made.hiddenIds)
   {

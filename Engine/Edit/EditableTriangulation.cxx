@@ -281,6 +281,20 @@ void EditableTriangulation::removeConstraints(
     });
 }
 
+void EditableTriangulation::skipConstraintNumbers(std::int64_t count)
+{
+  engineCall(
+    [&]
+    {
+      if (count < 0)
+      {
+        throw badArgument("a count of numbers must be 0 or more");
+      }
+      inEdit(*this->state, 1, oneThread(),
+        [&](Monitor&, ProgressOfParts&) { this->state->skipConstraints(count); });
+    });
+}
+
 std::int64_t EditableTriangulation::constraintCount() const
 {
   return this->state->constraints().count();
@@ -341,7 +355,15 @@ bool EditableTriangulation::locate(double x, double y, std::int64_t* corners)
     {
       const double point[3] = { x, y, 0.0 };
       sourceOf(PointView(point, 1), WeightView());
-      return this->state->locate(point, corners);
+      try
+      {
+        return this->state->locate(point, corners);
+      }
+      catch (...)
+      {
+        this->state->rollback();
+        throw;
+      }
     });
 }
 

@@ -4,7 +4,7 @@
 /// The points in the cells of a terrain that is an image: found by the rows that a triangle
 /// crosses, so no lists are kept.
 ///
-/// Where an edge crosses a row of an image of even spacing, whole numbers tell. Of others it is
+/// Where an edge crosses a row of an image of even spacing is found in integers. Of others it is
 /// estimated, and exact signs find the column. A point on an edge is in both its triangles.
 #ifndef flipflop_GridCells_h
 #define flipflop_GridCells_h

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace flipflop
 {
@@ -22,9 +21,10 @@ constexpr std::size_t MostSpokes = 32; ///< for a bit each
 /// On which side of the spokes some points are.
 struct SpokeSigns
 {
-  double x[MostSpokes], y[MostSpokes];    ///< of the spokes, relative to the new vertex, rounded
-  double dx[Block], dy[Block];            ///< of the points
-  std::uint64_t left[Block], open[Block]; ///< bit s: left of spoke s; a rounded value does not tell
+  double x[MostSpokes], y[MostSpokes]; ///< of the spokes, relative to the new vertex, rounded
+  double dx[Block], dy[Block];         ///< of the points
+  std::uint64_t left[Block],
+    open[Block]; ///< bit s: left of spoke s; a rounded value does not decide
 };
 
 /// As the filter of orientations does, for all points at once.
@@ -63,20 +63,7 @@ TerrainSurface::TerrainSurface(const Geometry& signs, const TerrainPoints& terra
   {
     this->addSlot(v);
   }
-  const auto slotOfIndex = [](std::int64_t index) { return static_cast<std::uint32_t>(index) + 1; };
-  std::vector<std::uint32_t> corners;
-  corners.reserve(start.connectivity.size());
-  std::transform(
-    start.connectivity.begin(), start.connectivity.end(), std::back_inserter(corners), slotOfIndex);
-  this->mesh.adopt(corners);
-  std::vector<std::uint64_t> fixed;
-  for (std::size_t i = 0; i < start.fixedEdges.size(); i += 2)
-  {
-    fixed.push_back(EditableMesh<false>::edgeKey(
-      slotOfIndex(start.fixedEdges[i]), slotOfIndex(start.fixedEdges[i + 1])));
-  }
-  std::sort(fixed.begin(), fixed.end());
-  this->mesh.fix(fixed);
+  this->mesh.adopt(start, [](std::int64_t index) { return static_cast<std::uint32_t>(index) + 1; });
 }
 
 SurfaceCorners TerrainSurface::corners(std::uint32_t t) const

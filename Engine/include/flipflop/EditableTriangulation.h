@@ -130,6 +130,12 @@ public:
   void removeConstraints(
     const std::int64_t* numbers, std::int64_t count, const Options& options = Options());
 
+  /// Give the next numbers to no constraint: to make a triangulation again with the numbers that it
+  /// had.
+  /// @param count how many
+  /// @throw Error BadArgument (a count below 0), TooManyPoints, OutOfMemory
+  void skipConstraintNumbers(std::int64_t count);
+
   /// How many constraints there are.
   std::int64_t constraintCount() const;
 
@@ -145,7 +151,8 @@ public:
   /// @throw Error BadArgument (no constraint has this number)
   void constraint(std::int64_t number, std::int64_t* ends) const;
 
-  /// How many fixed edges the points of the last edit divided.
+  /// How many points of the last insertion or move are inside constraints: each divides a fixed
+  /// edge. 0 while all points are on one line.
   std::int64_t dividedEdges() const;
 
   /// How many ids were given: all are below.

@@ -1,24 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Random edits of a triangulation, next to the list of the points that should be there.
+/// Random edits of a triangulation.
 #ifndef flipflop_test_EditHistory_h
 #define flipflop_test_EditHistory_h
 
-#include "Testing/Engine/Calls/Bits.h"
-#include "Testing/Engine/Conformance/Compare.h"
+#include "Testing/Engine/Edit/MirroredEdits.h"
 #include "Testing/Engine/Inputs/Inputs.h"
-#include "Testing/Engine/References/ReferenceConstrained.h"
-#include <flipflop/EditableTriangulation.h>
-#include <flipflop/RegularTriangulation.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 namespace flipflop
@@ -122,23 +116,12 @@ private:
   const double scale;
 };
 
-class EditHistory
+class EditHistory : public MirroredEdits
 {
 public:
   explicit EditHistory(std::uint64_t seed)
-    : make(seed)
+    : EditHistory(PointMaker(seed))
   {
-    if (this->make.random.integer(0, 1))
-    {
-      this->edited = EditableTriangulation();
-      return;
-    }
-    this->points = this->some(this->make.random.integer(0, 40));
-    this->edited = EditableTriangulation(this->view(this->points), this->weightsOf(this->points));
-    for (std::size_t i = 0; i < this->points.size(); ++i)
-    {
-      this->present.push_back(static_cast<std::int64_t>(i));
-    }
   }
 
   /// One random edit.
@@ -153,174 +136,38 @@ public:
     const int what = random.integer(0, 9);
     if (what < 4 || this->present.empty())
     {
-      this->insert(1);
+      this->insert(this->some(1));
     }
     else if (what < 7)
     {
-      this->remove(1);
+      this->removeSome(1);
     }
     else if (what == 7)
     {
-      this->move(1);
+      this->moveSome(1);
     }
     else if (what == 8)
     {
-      this->insert(random.integer(0, 1) ? random.integer(0, 5) : 80);
+      this->insert(this->some(random.integer(0, 1) ? random.integer(0, 5) : 80));
     }
     else if (random.integer(0, 1))
     {
-      this->remove(random.pick(this->present.size() + 1));
+      this->removeSome(random.pick(this->present.size() + 1));
     }
     else
     {
-      this->move(random.pick(this->present.size() + 1));
+      this->moveSome(random.pick(this->present.size() + 1));
     }
   }
-
-  /// Is it what a run from nothing gives, in both modes of facets?
-  void check()
-  {
-    Cloud left;
-    for (const std::int64_t id : this->present)
-    {
-      left.push_back(this->points[static_cast<std::size_t>(id)]);
-    }
-    const std::vector<std::int64_t> ends = this->endsAmong(this->present);
-    const ConstraintView constrained(ends.data(), std::int64_t(ends.size() / 2));
-    for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
-    {
-      Options options;
-      options.threads = 1;
-      options.facets = facets;
-      ConstrainedTriangulation wanted;
-      if (constrained.count > 0)
-      {
-        wanted = constrainedTriangulation(view(left), constrained, options);
-      }
-      else
-      {
-        static_cast<Triangulation&>(wanted) =
-          regularTriangulation(view(left), this->weightsOf(left), options);
-      }
-      if (facets == FacetMode::Polygons && left.size() <= MostByForce)
-      {
-        this->checkByForce(left, ends, wanted);
-      }
-      rename(wanted.pointIds, this->present);
-      rename(wanted.hiddenIds, this->present);
-      rename(wanted.constraintOf, this->numbers);
-      ASSERT_TRUE(bitsOf(this->edited.snapshot(options)) == bitsOf(wanted));
-    }
-    ASSERT_EQ(this->edited.pointCount(), std::int64_t(this->present.size()));
-    ASSERT_EQ(this->edited.idCount(), std::int64_t(this->points.size()));
-  }
-
-  EditableTriangulation edited;
-  Cloud points; ///< by id
-  std::vector<std::int64_t> present;
-  std::vector<std::array<std::int64_t, 2>> constraints; ///< by number
-  std::vector<std::int64_t> numbers;                    ///< of those that are there
 
 private:
-  static constexpr std::size_t MostByForce = 8;
-
-  /// Of few points, by rationals: each triple of points, or flips.
-  void checkByForce(const Cloud& left, const std::vector<std::int64_t>& ends,
-    const ConstrainedTriangulation& found) const
+  explicit EditHistory(const PointMaker& points)
+    : MirroredEdits(points.isWeighted())
+    , make(points)
   {
-    std::vector<Segment> segments;
-    for (std::size_t i = 0; i < ends.size(); i += 2)
+    if (this->make.random.integer(0, 1))
     {
-      segments.push_back({ ends[i], ends[i + 1] });
-    }
-    const ReferenceTriangulation wanted = segments.empty()
-      ? bruteForceTriangulation(left)
-      : bruteForceConstrained(left, segments).triangulation;
-    ASSERT_EQ(found.dimension, wanted.dimension);
-    ASSERT_EQ(cellsOf(found), wanted.cells);
-  }
-
-  static PointView view(const Cloud& cloud)
-  {
-    return cloud.empty() ? PointView()
-                         : PointView(cloud.front().data(), std::int64_t(cloud.size()));
-  }
-  WeightView weightsOf(const Cloud& cloud) const
-  {
-    return this->make.isWeighted() && !cloud.empty()
-      ? WeightView(cloud.front().data() + 2, std::int64_t(cloud.size()), 3)
-      : WeightView();
-  }
-
-  static void rename(Buffer<std::int64_t>& indices, const std::vector<std::int64_t>& names)
-  {
-    for (std::int64_t& index : indices)
-    {
-      index = names[static_cast<std::size_t>(index)];
-    }
-  }
-
-  /// The ends of the constraints, as indices of some ids.
-  std::vector<std::int64_t> endsAmong(const std::vector<std::int64_t>& ids) const
-  {
-    std::vector<std::int64_t> ends;
-    for (const std::int64_t number : this->numbers)
-    {
-      for (const std::int64_t id : this->constraints[static_cast<std::size_t>(number)])
-      {
-        ends.push_back(std::find(ids.begin(), ids.end(), id) - ids.begin());
-      }
-    }
-    return ends;
-  }
-
-  bool isEnd(std::int64_t id) const
-  {
-    return std::any_of(this->numbers.begin(), this->numbers.end(),
-      [&](std::int64_t number)
-      {
-        const auto& ends = this->constraints[static_cast<std::size_t>(number)];
-        return ends[0] == id || ends[1] == id;
-      });
-  }
-
-  /// An edit, and what should have been done; or neither, if constraints cross then.
-  template <class Edit, class Note>
-  void unlessCrossing(const Edit& edit, const Note& note)
-  {
-    const auto old = std::make_tuple(this->points, this->present, this->constraints, this->numbers);
-    note();
-    const std::vector<std::int64_t> ends = this->endsAmong(this->present);
-    bool crosses = false;
-    try
-    {
-      Cloud left;
-      for (const std::int64_t id : this->present)
-      {
-        left.push_back(this->points[static_cast<std::size_t>(id)]);
-      }
-      constrainedTriangulation(
-        view(left), ConstraintView(ends.data(), std::int64_t(ends.size() / 2)));
-    }
-    catch (const Error& error)
-    {
-      ASSERT_EQ(error.code(), ErrorCode::ConstraintsCross);
-      crosses = true;
-    }
-    bool refused = false;
-    try
-    {
-      edit();
-    }
-    catch (const Error& error)
-    {
-      ASSERT_EQ(error.code(), ErrorCode::ConstraintsCross) << error.what();
-      refused = true;
-    }
-    ASSERT_EQ(refused, crosses);
-    if (crosses)
-    {
-      std::tie(this->points, this->present, this->constraints, this->numbers) = old;
+      this->begin(this->some(this->make.random.integer(0, 40)));
     }
   }
 
@@ -333,9 +180,7 @@ private:
     }
     if (!this->numbers.empty() && random.integer(0, 2) == 0)
     {
-      const std::size_t which = random.pick(this->numbers.size());
-      this->edited.removeConstraints(&this->numbers[which], 1);
-      this->numbers.erase(this->numbers.begin() + static_cast<std::ptrdiff_t>(which));
+      this->removeConstraint(this->numbers[random.pick(this->numbers.size())]);
       return;
     }
     std::vector<std::int64_t> ends;
@@ -344,18 +189,7 @@ private:
       ends.push_back(this->present[random.pick(this->present.size())]);
       ends.push_back(this->present[random.pick(this->present.size())]);
     }
-    this->unlessCrossing(
-      [&] {
-        this->edited.insertConstraints({ ends.data(), std::int64_t(ends.size() / 2) });
-      },
-      [&]
-      {
-        for (std::size_t i = 0; i < ends.size(); i += 2)
-        {
-          this->numbers.push_back(std::int64_t(this->constraints.size()));
-          this->constraints.push_back({ { ends[i], ends[i + 1] } });
-        }
-      });
+    this->insertConstraints(ends);
   }
 
   Cloud some(std::size_t count)
@@ -368,18 +202,6 @@ private:
     return result;
   }
 
-  void insert(int count)
-  {
-    const Cloud fresh = this->some(static_cast<std::size_t>(count));
-    const auto first = static_cast<std::int64_t>(this->points.size());
-    ASSERT_EQ(this->edited.insert(this->view(fresh), this->weightsOf(fresh)), first);
-    for (const Point& p : fresh)
-    {
-      this->present.push_back(static_cast<std::int64_t>(this->points.size()));
-      this->points.push_back(p);
-    }
-  }
-
   std::vector<std::int64_t> choose(std::size_t count)
   {
     std::vector<std::int64_t> ids = this->present;
@@ -388,7 +210,7 @@ private:
     return ids;
   }
 
-  void remove(std::size_t count)
+  void removeSome(std::size_t count)
   {
     std::vector<std::int64_t> ids = this->choose(count);
     const auto kept =
@@ -398,33 +220,14 @@ private:
       EXPECT_THROW(this->edited.remove(ids.data(), std::int64_t(ids.size())), Error);
       ids.erase(kept, ids.end());
     }
-    this->unlessCrossing([&] { this->edited.remove(ids.data(), std::int64_t(ids.size())); },
-      [&]
-      {
-        for (const std::int64_t id : ids)
-        {
-          this->present.erase(std::find(this->present.begin(), this->present.end(), id));
-        }
-      });
+    this->remove(ids);
   }
 
-  void move(std::size_t count)
+  void moveSome(std::size_t count)
   {
     const std::vector<std::int64_t> ids = this->choose(count);
     const Cloud to = this->some(ids.size());
-    const bool keepWeights = this->make.random.integer(0, 1) != 0;
-    this->unlessCrossing(
-      [&] {
-        this->edited.move(ids.data(), view(to), keepWeights ? WeightView() : this->weightsOf(to));
-      },
-      [&]
-      {
-        for (std::size_t i = 0; i < ids.size(); ++i)
-        {
-          Point& p = this->points[static_cast<std::size_t>(ids[i])];
-          p = { { to[i][0], to[i][1], keepWeights ? p[2] : to[i][2] } };
-        }
-      });
+    this->move(ids, to, this->make.random.integer(0, 1) != 0);
   }
 
   PointMaker make;

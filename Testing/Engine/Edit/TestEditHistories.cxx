@@ -4,12 +4,8 @@
 /// After each of many random edits, the triangulation is that of a run from nothing, bit for bit.
 #include "Testing/Engine/Edit/EditHistory.h"
 
-#include <algorithm>
 #include <cstdint>
-#include <iterator>
-#include <set>
 #include <string>
-#include <vector>
 
 namespace flipflop
 {
@@ -41,37 +37,6 @@ TEST(EditHistories, EachStepIsARunFromNothing)
         return;
       }
     }
-  }
-}
-
-/// Of points at one position the lowest id is the vertex. The others are told as hidden.
-TEST(EditHistories, PointsAtOnePositionGoInAnyOrder)
-{
-  const double positions[][2] = { { 0, 0 }, { 4, 0 }, { 0, 4 }, { 1, 1 }, { 1, 1 }, { 1, 1 },
-    { 1, 1 }, { 1, 1 } };
-  const double weights[] = { 0, 0, 0, 2, 2, 2, 2, 2 };
-  for (const WeightView& given : { WeightView(), WeightView(weights, 8) })
-  {
-    std::vector<std::int64_t> order = { 3, 4, 5, 6, 7 };
-    do
-    {
-      EditableTriangulation edited(PointView(positions[0], 8, 2), given);
-      std::set<std::int64_t> there(order.begin(), order.end());
-      for (const std::int64_t id : order)
-      {
-        edited.remove(&id, 1);
-        there.erase(id);
-        const ConstrainedTriangulation found = edited.snapshot();
-        std::vector<std::int64_t> visible = { 0, 1, 2 };
-        visible.insert(
-          visible.end(), there.begin(), std::next(there.begin(), there.empty() ? 0 : 1));
-        const std::vector<std::int64_t> hidden(
-          std::next(there.begin(), there.empty() ? 0 : 1), there.end());
-        ASSERT_EQ(std::vector<std::int64_t>(found.pointIds.begin(), found.pointIds.end()), visible);
-        ASSERT_EQ(
-          std::vector<std::int64_t>(found.hiddenIds.begin(), found.hiddenIds.end()), hidden);
-      }
-    } while (std::next_permutation(order.begin(), order.end()));
   }
 }
 
