@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace flipflop
 {
@@ -92,7 +93,6 @@ GridShape gridOf(const Buffer<Vertex>& points)
       (c > 0 || i == 0 || sign(points[i - columns].x[slow], points[i].x[slow]) == alongSlow);
   }
   shape.columns = columns;
-  shape.rows = n / columns;
   return isGrid ? shape : GridShape();
 }
 
@@ -136,15 +136,17 @@ TerrainPoints::TerrainPoints(
   const int fast = this->shape.fastAxis;
   const bool turnsColumns = given[1].x[fast] < given[0].x[fast];
   const bool turnsRows = given[columns].x[1 - fast] < given[0].x[1 - fast];
-  this->points.allocate(given.size());
-  for (std::uint32_t r = 0; r < this->shape.rows; ++r)
+  Vertex* const all = given.data();
+  if (turnsRows)
   {
-    const std::uint32_t from = (turnsRows ? this->shape.rows - 1 - r : r) * columns;
-    for (std::uint32_t c = 0; c < columns; ++c)
-    {
-      this->points[r * columns + c] = given[from + (turnsColumns ? columns - 1 - c : c)];
-    }
+    // This turns the columns, too.
+    std::reverse(all, all + given.size());
   }
+  for (std::size_t row = 0; turnsRows != turnsColumns && row < given.size(); row += columns)
+  {
+    std::reverse(all + row, all + row + columns);
+  }
+  this->points = std::move(given);
 }
 
 void TerrainPoints::sortAlongCurve(const Buffer<Vertex>& given, Monitor& monitor)

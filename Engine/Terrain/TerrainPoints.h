@@ -26,12 +26,11 @@ inline void prefetch(const void* memory)
 #endif
 }
 
-/// Points that are the products of two axes: pixels.
+/// Points that are the products of two axes: pixels. Coordinates ascend along both.
 struct GridShape
 {
   int fastAxis = 0;          ///< along which neighbours have consecutive numbers
   std::uint32_t columns = 0; ///< along this axis; 0: there is no grid
-  std::uint32_t rows = 0;    ///< along the other; coordinates ascend along both
 };
 
 /// They are numbered in this order. The third coordinate is the height, as it was given.
