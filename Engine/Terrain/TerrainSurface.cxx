@@ -66,13 +66,6 @@ TerrainSurface::TerrainSurface(const Geometry& signs, const TerrainPoints& terra
   this->mesh.adopt(start, [](std::int64_t index) { return static_cast<std::uint32_t>(index) + 1; });
 }
 
-SurfaceCorners TerrainSurface::corners(std::uint32_t t) const
-{
-  const std::uint32_t* const v = this->mesh.triangle(t).v;
-  const Vertex* const all = this->points.data();
-  return { all + numberOf(v[0]), all + numberOf(v[1]), all + numberOf(v[2]) };
-}
-
 /// A point that is at no vertex is in the next cell, too, if it is on an edge.
 bool TerrainSurface::isLowestAt(std::uint32_t t, const Vertex& p) const
 {
@@ -92,10 +85,8 @@ bool TerrainSurface::isLowestAt(std::uint32_t t, const Vertex& p) const
 
 std::uint32_t TerrainSurface::addSlot(std::uint32_t v)
 {
-  Vertex flat = this->points[v];
-  flat.x[2] = 0.0; // heights are no weights
   this->number.push_back(v);
-  return this->mesh.addSlot(flat);
+  return this->mesh.addSlot(this->points[v]);
 }
 
 void TerrainSurface::insert(std::uint32_t v, std::uint32_t t)

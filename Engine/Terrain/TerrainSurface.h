@@ -31,7 +31,11 @@ public:
   /// Cells are triangles by index. Those at the virtual vertex, and dead ones, are none.
   std::size_t cellCount() const { return this->mesh.triangleCount(); }
   bool isCell(std::uint32_t t) const { return !this->mesh.isVirtual(t); }
-  SurfaceCorners corners(std::uint32_t t) const;
+  SurfaceCorners corners(std::uint32_t t) const
+  {
+    const std::uint32_t* const v = this->mesh.triangle(t).v;
+    return { &this->mesh.vertex(v[0]), &this->mesh.vertex(v[1]), &this->mesh.vertex(v[2]) };
+  }
 
   /// The corners of a cell, by numbers of points.
   void numbers(std::uint32_t t, std::uint32_t* corner) const
@@ -89,7 +93,7 @@ private:
   void findPartsOfBlock(const std::uint32_t* some, std::size_t size, std::uint32_t* part) const;
 
   const TerrainPoints& points;
-  EditableMesh<false> mesh;
+  EditableMesh<false> mesh; ///< its third coordinates are heights, which no sign depends on
   std::vector<std::uint32_t> number; ///< by slot
   std::uint32_t center = 0;          ///< the slot of the last vertex inserted
   std::vector<Spoke> spokes;         ///< of it, one a part
