@@ -31,10 +31,18 @@ public:
   /// Cells are triangles by index. Those at the virtual vertex, and dead ones, are none.
   std::size_t cellCount() const { return this->mesh.triangleCount(); }
   bool isCell(std::uint32_t t) const { return !this->mesh.isVirtual(t); }
+
+  /// From the lowest id, so that rounded distances are of the triangle alone, however it was made.
   SurfaceCorners corners(std::uint32_t t) const
   {
     const std::uint32_t* const v = this->mesh.triangle(t).v;
-    return { &this->mesh.vertex(v[0]), &this->mesh.vertex(v[1]), &this->mesh.vertex(v[2]) };
+    const Vertex* const a = &this->mesh.vertex(v[0]);
+    const Vertex* const b = &this->mesh.vertex(v[1]);
+    const Vertex* const c = &this->mesh.vertex(v[2]);
+    const bool isFirst = a->id < b->id && a->id < c->id;
+    return isFirst    ? SurfaceCorners{ a, b, c }
+      : b->id < c->id ? SurfaceCorners{ b, c, a }
+                      : SurfaceCorners{ c, a, b };
   }
 
   /// The corners of a cell, by numbers of points.
