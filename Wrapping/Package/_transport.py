@@ -15,8 +15,9 @@ from ._arguments import float_of
 from ._domain import Domain, domain_of_call
 from ._errors import InputError
 from ._input import doubles_of, whole_points_of, whole_weights_of
+from ._power_diagram import PowerDiagram
 from ._results import Floats, Frozen, Progress, named, run, settings
-from ._triangulation import PowerDiagram, regular_triangulation
+from ._triangulation import regular_triangulation
 
 
 class CentroidalCells(Frozen):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Regular and constrained triangulations, and power diagrams, of arrays."""
+"""Regular and constrained triangulations of arrays, and power diagrams."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ from ._domain import domain_of_call
 from ._errors import InputError
 from ._image import METHODS, Image, Method, grid_of, image_of
 from ._input import points_and_weights_of, points_of, values_of
+from ._power_diagram import PowerDiagram
 from ._queries import Lengths, Numbers, changed, interpolation_of, results_of, unchanged, with_ones
 from ._results import (
     QUIET,
@@ -26,7 +27,6 @@ from ._results import (
     Engine,
     Facets,
     Floats,
-    Frozen,
     Ids,
     NonFinite,
     Polygons,
@@ -396,57 +396,6 @@ class RegularTriangulation(Cells):
     @cached_property
     def _measures(self) -> tuple[Floats, Floats]:
         return _core.triangle_measures(self._sites, self._triangles)
-
-
-class PowerDiagram(Frozen):
-    """The cells of a power diagram, cut at a box or a convex polygon.
-
-    There is one polygon, counter-clockwise, for each site that has a cell in it.
-    Cells fill it without gap or overlap and share their corners. Only the corners' coordinates are rounded.
-    """
-
-    _core: Any
-    _call: ClassVar[str] = "power_diagram(points)"
-
-    @cached_property
-    def vertices(self) -> Floats:
-        """The corners, as rows of x and y."""
-        return self._core.vertices()
-
-    @cached_property
-    def cells(self) -> Polygons:
-        """The corners of each cell, as rows of vertices."""
-        return Polygons(self._core.offsets(), self._core.connectivity())
-
-    @cached_property
-    def sites(self) -> Ids:
-        """The id of each cell's point, ascending."""
-        return self._core.sites()
-
-    @property
-    def areas(self) -> Floats:
-        """The area of each cell, rounded."""
-        return self._measures[0]
-
-    @property
-    def centroids(self) -> Floats:
-        """The x and y of each cell's centroid, rounded."""
-        return self._measures[1]
-
-    @property
-    def regions(self) -> list[Ids]:
-        """`cells` as a list, by scipy's name."""
-        return list(self.cells)
-
-    @cached_property
-    def _measures(self) -> tuple[Floats, Floats]:
-        return _core.power_cell_measures(self._core)
-
-    def __len__(self) -> int:
-        return len(self.sites)
-
-    def __repr__(self) -> str:
-        return f"<PowerDiagram: {len(self.sites)} cells, {len(self.vertices)} corners>"
 
 
 @overload

@@ -39,11 +39,12 @@ from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOf
 from ._hull import ConvexHull, Diameter, OrientedBox, Side, convex_hull, convexify
 from ._las import LasPoints, read_las
 from ._lines import JoinedTriangulation, constrained_triangulation
+from ._power_diagram import PowerDiagram
 from ._results import Polygons, Validation
 from ._stream import Streamed, stream
 from ._terrain import TerrainMesh, terrain_mesh
 from ._transport import CentroidalCells, PrescribedAreas, centroidal_cells, prescribed_areas
-from ._triangulation import PowerDiagram, RegularTriangulation, alpha_complex, power_diagram, regular_triangulation
+from ._triangulation import RegularTriangulation, alpha_complex, power_diagram, regular_triangulation
 
 __all__ = [
     "AbortedError",
