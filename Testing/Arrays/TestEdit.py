@@ -145,6 +145,11 @@ class TestEdit(unittest.TestCase):
             np.testing.assert_array_equal(other.add_constraints([[0, 3]]), [2])
             self.check(other)
         self.assertEqual(len(edited), 4)
+        edited.remove_constraints(1)
+        edited.remove(edited.ids)
+        empty = pickle.loads(pickle.dumps(edited))
+        np.testing.assert_array_equal(empty.insert([[0, 0], [1, 0]]), [5, 6])
+        np.testing.assert_array_equal(empty.add_constraints([[5, 6]]), [2])
         weighted = EditableTriangulation([[0, 0], [4, 0], [0, 4], [1, 1]], [0, 0, 0, 5.0])
         np.testing.assert_array_equal(pickle.loads(pickle.dumps(weighted)).weights, weighted.weights)
 
@@ -206,8 +211,15 @@ class TestEdit(unittest.TestCase):
         seen = []
 
         def use(fraction):
-            with self.assertRaisesRegex(RuntimeError, "being edited"):
-                edited.snapshot()
+            for read in (
+                edited.snapshot,
+                edited.__len__,
+                edited.__repr__,
+                lambda: 0 in edited,
+                lambda: edited.divided_edges,
+            ):
+                with self.assertRaisesRegex(RuntimeError, "being edited"):
+                    read()
             seen.append(fraction)
 
         edited.insert(np.random.default_rng(10).random((50000, 2)), progress=use)

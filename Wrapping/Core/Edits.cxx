@@ -94,8 +94,8 @@ nb::tuple constraintsOf(const EditableTriangulation& self)
   return nb::make_tuple(arrayOf(std::move(numbers)), arrayOf(std::move(ends), { all.size(), 2 }));
 }
 
-/// Insert constraints with the numbers that they had, of so many that were given. In between, some
-/// without effect are inserted and removed.
+/// Insert constraints with the numbers that they had, of so many that were given.
+/// @param numbers ascending
 void restoreConstraints(EditableTriangulation& self, const IdArray& numbers, const EndsArray& ends,
   std::int64_t count, const Settings& settings)
 {
@@ -103,26 +103,23 @@ void restoreConstraints(EditableTriangulation& self, const IdArray& numbers, con
   {
     throw nb::value_error("this is no state of a triangulation");
   }
+  const std::int64_t* const number = numbers.data();
+  const std::size_t size = numbers.shape(0);
+  const auto skipTo = [&](std::int64_t next)
+  { self.skipConstraintNumbers(next - self.constraintNumberCount()); };
   settings.run(
     [&](const Options& options)
     {
-      std::int64_t any = 0;
-      while (any < self.idCount() && !self.contains(any))
+      for (std::size_t begin = 0, end = 0; begin < size; begin = end)
       {
-        ++any;
-      }
-      const std::int64_t none[2] = { any, any };
-      std::size_t next = 0;
-      for (std::int64_t number = 0; any < self.idCount() && number < count; ++number)
-      {
-        const bool isThere = next < numbers.shape(0) && numbers.data()[next] == number;
-        const std::int64_t* const joined = isThere ? ends.data() + 2 * next++ : none;
-        self.insertConstraints(ConstraintView(joined, 1), options);
-        if (!isThere)
+        for (end = begin + 1; end < size && number[end] == number[end - 1] + 1; ++end)
         {
-          self.removeConstraints(&number, 1, options);
         }
+        skipTo(number[begin]);
+        const auto run = static_cast<std::int64_t>(end - begin);
+        self.insertConstraints(ConstraintView(ends.data() + 2 * begin, run), options);
       }
+      skipTo(count);
       return 0;
     });
 }

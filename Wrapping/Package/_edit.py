@@ -5,20 +5,24 @@
 from __future__ import annotations
 
 import threading
-from typing import Any, Literal, Self
+from collections.abc import Callable
+from functools import wraps
+from typing import Any, Concatenate, ParamSpec, Self, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike, NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._constrained import ConstrainedTriangulation
 from ._constraints import Chains, Constraints
 from ._errors import InputError
-from ._image import Image, Method
 from ._input import array_of, ids_of, points_and_weights_of
-from ._queries import Lengths, Numbers
+from ._queries import Numbers
 from ._results import Floats, Ids, NonFinite, Progress, frozen, ignores, run, settings
 from ._triangulation import RegularTriangulation
+
+P = ParamSpec("P")
+R = TypeVar("R")
 
 
 class _Guard:
@@ -40,16 +44,30 @@ class _Guard:
         self._lock.release()
 
 
+def _of_snapshot(
+    query: Callable[Concatenate[RegularTriangulation, P], R],
+) -> Callable[Concatenate[EditableTriangulation, P], R]:
+    """A method that calls the snapshot's of the same name."""
+    name = query.__name__
+
+    @wraps(query)
+    def method(self: EditableTriangulation, /, *args: P.args, **kwargs: P.kwargs) -> R:
+        return getattr(self.snapshot(), name)(*args, **kwargs)  # a constrained triangulation may have its own
+
+    return method
+
+
 class EditableTriangulation:
     """A regular or constrained triangulation of points that come and go.
 
-    At every moment it is the one that regular_triangulation() gives of the points that are there, bit for bit. A point's
-    id is given once, in order from 0: a removed one is not given again, and a point that is moved keeps its id. So
-    is a constraint's number.
+    At every moment it is the one that regular_triangulation() gives of the points that are there, bit for bit. A
+    point's id is given once, in order from 0: a removed one is not given again, and a point that is moved keeps its
+    id. So is a constraint's number.
 
     An edit of one point costs what it changes: about a microsecond near the last edit, a few elsewhere, and one or two
     of Python's; of many points at once, the engine's time alone. `snapshot()` costs all cells; it is kept until the
-    next edit, and `simplices`, `locate()` and the other queries are those of the snapshot.
+    next edit, and `simplices`, `locate()` and the other queries are those of the snapshot. Values at points are by id,
+    of which those that no point has are not used.
 
     It can be pickled and copied. Calls from several threads wait for each other.
 
@@ -67,7 +85,8 @@ class EditableTriangulation:
     Attributes
     ----------
     divided_edges : int
-        how many fixed edges the points of the last edit divided
+        how many points of the last insertion or move are inside constraints: each divides a fixed edge; 0 while all
+        points are on one line
     """
 
     def __init__(
@@ -215,7 +234,8 @@ class EditableTriangulation:
 
     @property
     def divided_edges(self) -> int:
-        return int(self._core.divided_edges)
+        with self._guard:
+            return int(self._core.divided_edges)
 
     @property
     def dimension(self) -> int:
@@ -247,79 +267,19 @@ class EditableTriangulation:
         """Ids of the points that are there and do not appear, ascending."""
         return self.snapshot().hidden
 
-    def locate(
-        self, points: ArrayLike, *, threads: int = 0, non_finite: NonFinite = "error", progress: Progress = None
-    ) -> Numbers:
-        """As RegularTriangulation has it."""
-        return self.snapshot().locate(points, threads=threads, non_finite=non_finite, progress=progress)
-
-    def nearest(
-        self, points: ArrayLike, *, threads: int = 0, non_finite: NonFinite = "error", progress: Progress = None
-    ) -> Numbers:
-        """As RegularTriangulation has it."""
-        return self.snapshot().nearest(points, threads=threads, non_finite=non_finite, progress=progress)
-
-    def interpolate(
-        self,
-        values: ArrayLike,
-        points: ArrayLike,
-        method: Method = "linear",
-        *,
-        fill_value: float = np.nan,
-        threads: int = 0,
-        non_finite: NonFinite = "error",
-        progress: Progress = None,
-    ) -> Lengths:
-        """As RegularTriangulation has it: values by id, of which those that no point has are not used."""
-        return self.snapshot().interpolate(
-            values, points, method, fill_value=fill_value, threads=threads, non_finite=non_finite, progress=progress
-        )
-
-    def natural_neighbours(
-        self,
-        points: ArrayLike,
-        method: Literal["natural", "laplace", "linear"] = "natural",
-        *,
-        threads: int = 0,
-        non_finite: NonFinite = "error",
-        progress: Progress = None,
-    ) -> tuple[Ids, Ids, Floats]:
-        """As RegularTriangulation has it."""
-        return self.snapshot().natural_neighbours(
-            points, method, threads=threads, non_finite=non_finite, progress=progress
-        )
-
-    def to_image(
-        self,
-        values: ArrayLike,
-        *,
-        spacing: ArrayLike | None = None,
-        shape: tuple[int, int] | None = None,
-        bounds: ArrayLike | None = None,
-        method: Method = "linear",
-        fill_value: float = np.nan,
-        dtype: DTypeLike | None = None,
-        threads: int = 0,
-        progress: Progress = None,
-    ) -> Image:
-        """As RegularTriangulation has it: values by id, of which those that no point has are not used."""
-        return self.snapshot().to_image(
-            values,
-            spacing=spacing,
-            shape=shape,
-            bounds=bounds,
-            method=method,
-            fill_value=fill_value,
-            dtype=dtype,
-            threads=threads,
-            progress=progress,
-        )
+    locate = _of_snapshot(RegularTriangulation.locate)
+    nearest = _of_snapshot(RegularTriangulation.nearest)
+    interpolate = _of_snapshot(RegularTriangulation.interpolate)
+    natural_neighbours = _of_snapshot(RegularTriangulation.natural_neighbours)
+    to_image = _of_snapshot(RegularTriangulation.to_image)
 
     def __len__(self) -> int:
-        return int(self._core.point_count)
+        with self._guard:
+            return int(self._core.point_count)
 
     def __contains__(self, point: object) -> bool:
-        return isinstance(point, (int, np.integer)) and bool(self._core.contains(int(point)))
+        with self._guard:
+            return isinstance(point, (int, np.integer)) and bool(self._core.contains(int(point)))
 
     def __copy__(self) -> Self:
         other = type(self).__new__(type(self))
@@ -345,7 +305,9 @@ class EditableTriangulation:
         self._core.restore_constraints(numbers, ends, count, _chosen(1, None)[0])
 
     def __repr__(self) -> str:
-        return f"<EditableTriangulation of {len(self)} points, {self._core.constraint_count} constraints>"
+        with self._guard:
+            points, constraints = self._core.point_count, self._core.constraint_count
+        return f"<EditableTriangulation of {points} points, {constraints} constraints>"
 
     def _begin(self) -> None:
         self._guard = _Guard()
