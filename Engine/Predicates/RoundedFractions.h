@@ -105,12 +105,10 @@ public:
     }
     // Within this range products of six lengths stay clear of overflow.
     const double size = std::fabs(leading(result.value));
-    const bool inRange =
-      degree == 1 ? size >= 0x1p-150 && size <= 0x1p150 : size >= 0x1p-300 && size <= 0x1p300;
-    if (!inRange && size != 0.0)
-    {
-      result.error = HUGE_VAL;
-    }
+    const double least = degree == 1 ? 0x1p-150 : 0x1p-300;
+    const double most = degree == 1 ? 0x1p150 : 0x1p300;
+    const bool inRange = (size >= least) & (size <= most);
+    result.error = inRange | (size == 0.0) ? result.error : HUGE_VAL;
     return result;
   }
 
@@ -138,10 +136,7 @@ public:
   static bool round(double base, const Number& numerator, const Number& denominator, double& result)
   {
     const double size = std::fabs(denominator.value.high);
-    if (!(denominator.error < 0x1p-20 * size && std::fabs(base) <= 0x1p150))
-    {
-      return false;
-    }
+    const bool inRange = (denominator.error < 0x1p-20 * size) & (std::fabs(base) <= 0x1p150);
     const double first = numerator.value.high / denominator.value.high;
     const DoubleDouble rest = numerator.value - denominator.value * DoubleDouble{ first, 0.0 };
     DoubleDouble quotient;
@@ -152,7 +147,8 @@ public:
     error = BoundedSlack * error + FractionLowError * std::fabs(sum.low);
     result = sum.high;
     // Both ends of the interval round to the same.
-    return sum.high + (sum.low + error) == sum.high && sum.high + (sum.low - error) == sum.high;
+    return inRange & (sum.high + (sum.low + error) == sum.high) &
+      (sum.high + (sum.low - error) == sum.high);
   }
 
   static bool positive(const Number& a) { return leading(a.value) > BoundedSlack * a.error; }

@@ -93,13 +93,13 @@ public:
       const Candidate next = this->heap.front();
       std::pop_heap(this->heap.begin(), this->heap.end(), Order{ this->points });
       this->heap.pop_back();
-      const Worst& current = this->worst[next.cell];
+      const FarthestPoint& current = this->worst[next.cell];
       if (current.point != next.point || current.distance != next.distance)
       {
         continue; // the cell has changed
       }
       const SurfacePlane plane(this->surface.corners(next.cell));
-      if (plane.isBeyond(this->points[next.point], this->limits.tolerance))
+      if (plane.isBeyond(this->points[next.point].x, this->limits.tolerance))
       {
         this->insert(this->points.siteOf(next.point), next.cell);
         this->reportProgress();
@@ -111,7 +111,7 @@ public:
     }
   }
 
-  /// use(point, SurfacePlane) for each point that is at no vertex, in parallel.
+  /// use(SurfacePoints, SurfacePlane) of all points that are at no vertex, in parallel.
   template <class Use>
   void eachRemaining(const Use& use) const
   {
@@ -122,17 +122,17 @@ public:
         this->monitor.poll();
         for (auto cell = static_cast<std::uint32_t>(begin); cell < end; ++cell)
         {
-          std::optional<SurfacePlane> plane;
           if (this->surface.isCell(cell))
           {
-            this->cells.eachOnceIn(cell,
-              [&](std::uint32_t p, double, double, double)
+            std::optional<SurfacePlane> plane;
+            eachSome([&](const auto& add) { this->cells.eachOnceIn(cell, add); },
+              [&](const SurfacePoints& some)
               {
                 if (!plane)
                 {
                   plane.emplace(this->surface.corners(cell));
                 }
-                use(p, *plane);
+                use(some, *plane);
               });
           }
         }
@@ -143,13 +143,6 @@ public:
   std::int64_t moveCount() const { return this->cells.moveCount(); }
 
 private:
-  /// The farthest point of a cell.
-  struct Worst
-  {
-    double distance = -1.0;
-    std::uint32_t point = NoIndex; ///< NoIndex: none is left that may be beyond the tolerance
-  };
-
   struct Candidate
   {
     double distance;
@@ -169,19 +162,9 @@ private:
     }
   };
 
-  /// Of several as far, the lowest id is the worst.
-  void consider(std::uint32_t p, double distance, Worst& so) const
-  {
-    if (distance > so.distance ||
-      (distance == so.distance && this->points[p].id < this->points[so.point].id))
-    {
-      so = { distance, p };
-    }
-  }
-
   void enqueue(std::uint32_t cell)
   {
-    const Worst& found = this->worst[cell];
+    const FarthestPoint& found = this->worst[cell];
     if (found.point != NoIndex)
     {
       this->heap.push_back({ found.distance, found.point, cell });
@@ -198,7 +181,7 @@ private:
     this->worst.resize(this->surface.cellCount());
     for (const std::uint32_t part : this->surface.parts())
     {
-      this->worst[part] = Worst();
+      this->worst[part] = FarthestPoint();
       if (this->surface.isCell(part))
       {
         this->findWorst(part);
@@ -210,30 +193,57 @@ private:
   /// The farthest point of a cell.
   void findWorst(std::uint32_t cell)
   {
-    const RoundedPlane plane(this->surface.corners(cell));
-    Worst found;
-    this->cells.eachIn(cell,
-      [&](std::uint32_t p, double x, double y, double height)
-      { this->consider(p, plane.distance(x, y, height), found); });
-    this->worst[cell] = found;
+    this->worst[cell] = this->cells.farthest(cell, RoundedPlane(this->surface.corners(cell)));
   }
 
   /// Of a cell whose worst point is within the tolerance.
   void settle(std::uint32_t cell, const SurfacePlane& plane)
   {
-    Worst found;
-    this->cells.eachIn(cell,
-      [&](std::uint32_t p, double, double, double)
+    FarthestPoint found;
+    eachSome([&](const auto& add) { this->cells.eachIn(cell, add); },
+      [&](const SurfacePoints& some)
       {
         this->poll.step();
-        const Vertex& point = this->points[p];
-        if (plane.isBeyond(point, this->limits.tolerance))
+        if (!plane.areWithin(some, this->limits.tolerance))
         {
-          this->consider(p, std::fabs(plane.height(point)), found);
+          this->findBeyond(some, plane, found);
         }
       });
     this->worst[cell] = found;
     this->enqueue(cell);
+  }
+
+  void findBeyond(const SurfacePoints& some, const SurfacePlane& plane, FarthestPoint& found) const
+  {
+    for (int i = 0; i < some.size; ++i)
+    {
+      const double* const x = this->points[some.number[i]].x;
+      if (plane.isBeyond(x, this->limits.tolerance))
+      {
+        found.add(this->points, some.number[i], std::fabs(plane.height(x)));
+      }
+    }
+  }
+
+  /// use(SurfacePoints) of all points that each() gives.
+  template <class Each, class Use>
+  static void eachSome(const Each& each, const Use& use)
+  {
+    SurfacePoints some;
+    each(
+      [&](std::uint32_t p, double x, double y, double height)
+      {
+        if (some.size == SurfacePoints::Capacity)
+        {
+          use(some);
+          some.size = 0;
+        }
+        some.add(p, x, y, height);
+      });
+    if (some.size > 0)
+    {
+      use(some);
+    }
   }
 
   /// The share of the work: points move about as often as vertices double.
@@ -261,8 +271,8 @@ private:
   const InsertionLimits limits;
   Monitor& monitor;
   StepPoll poll;
-  std::vector<Worst> worst;    ///< by cell
-  std::vector<Candidate> heap; ///< some of cells that have changed since
+  std::vector<FarthestPoint> worst; ///< by cell; of a settled one there is none
+  std::vector<Candidate> heap;      ///< some of cells that have changed since
   std::int64_t insertions = 0;
   std::int64_t reported = 0;
 };

@@ -6,6 +6,7 @@
 #ifndef flipflop_ListedCells_h
 #define flipflop_ListedCells_h
 
+#include "Terrain/SurfacePlane.h"
 #include "Terrain/TerrainPoints.h"
 
 #include <algorithm>
@@ -50,6 +51,17 @@ public:
       const double* const x = this->points[p].x;
       use(p, x[0], x[1], x[2]);
     }
+  }
+
+  /// The farthest point of a cell, by rounded distances.
+  FarthestPoint farthest(std::uint32_t cell, const RoundedPlane& plane) const
+  {
+    FarthestPoint found;
+    for (const std::uint32_t p : this->lists[cell])
+    {
+      found.add(this->points, p, plane.distance(this->points[p]));
+    }
+    return found;
   }
 
   /// The same, once for a point that is in several cells.

@@ -12,6 +12,8 @@
 #include "Predicates/RoundedFractions.h"
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace flipflop
@@ -47,13 +49,30 @@ public:
     this->slope[1] = vz * (ux / area) - uz * (vx / area);
   }
 
-  /// How far a point is from the plane; infinite where doubles do not hold it.
-  double distance(double x, double y, double height) const
+  /// Of points of which one coordinate is the same.
+  struct Row
   {
-    const double size = std::fabs((height - this->origin[2]) -
-      (this->slope[0] * (x - this->origin[0]) + this->slope[1] * (y - this->origin[1])));
-    return std::isfinite(size) ? size : HUGE_VAL;
+    double level, from, slope, across;
+
+    /// @param along the other coordinate
+    double distance(double along, double height) const
+    {
+      const double size =
+        std::fabs((height - this->level) - (this->slope * (along - this->from) + this->across));
+      return size <= std::numeric_limits<double>::max() ? size : HUGE_VAL;
+    }
+  };
+
+  /// @param axis  of the coordinate that is not the same
+  /// @param other the one that is
+  Row row(int axis, double other) const
+  {
+    return { this->origin[2], this->origin[axis], this->slope[axis],
+      this->slope[1 - axis] * (other - this->origin[1 - axis]) };
   }
+
+  /// How far a point is from the plane; infinite where doubles do not hold it.
+  double distance(const Vertex& p) const { return this->row(0, p.x[1]).distance(p.x[0], p.x[2]); }
 
 private:
   double origin[3];
@@ -69,32 +88,35 @@ public:
 
   NumberPlane(const Arithmetic& arithmetic, const SurfaceCorners& corners)
     : k(arithmetic)
-    , origin(*corners.a)
+    , origin{ corners.a->x[0], corners.a->x[1], corners.a->x[2] }
     , normal{ k.whole(0), k.whole(0), k.whole(0) }
   {
-    const Offset u = this->offset(*corners.b);
-    const Offset v =
-      corners.c ? this->offset(*corners.c) : Offset{ k.whole(0) - u.y, u.x, k.whole(0) };
+    const Offset u = this->offset(corners.b->x[0], corners.b->x[1], corners.b->x[2]);
+    const Offset v = corners.c ? this->offset(corners.c->x[0], corners.c->x[1], corners.c->x[2])
+                               : Offset{ k.whole(0) - u.y, u.x, k.whole(0) };
     this->normal = { u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x };
   }
 
   /// The height of a point over the plane, rounded to nearest. False: it cannot decide.
-  bool height(const Vertex& p, double& result) const
+  bool height(double x, double y, double z, double& result) const
   {
-    return this->k.round(0.0, this->above(p), this->normal.z, result);
+    return this->k.round(0.0, this->above(x, y, z), this->normal.z, result);
   }
 
-  /// The sign of its distance from the plane less the tolerance. False: it cannot decide.
-  bool compare(const Vertex& p, double tolerance, int& sign) const
+  /// Is it farther from the plane than the tolerance? False: no, or it cannot decide.
+  bool isBeyond(double x, double y, double z, double tolerance) const
   {
-    const Number above = this->above(p);
-    const Number limit = this->normal.z * this->k.difference(tolerance, 0.0);
-    int side = 0;
-    // Where the side is open, both signs are the same, or the distance is as good as 0.
-    const bool isKnown = this->k.sign(above, side);
-    return isKnown ? this->k.sign(side < 0 ? this->k.whole(0) - above - limit : above - limit, sign)
-                   : this->k.sign(above - limit, sign) && sign < 0 &&
-        this->k.sign(this->k.whole(0) - above - limit, sign) && sign < 0;
+    const Number above = this->above(x, y, z);
+    const Number limit = this->limit(tolerance);
+    return this->k.positive(above - limit) | this->k.positive(this->k.whole(0) - above - limit);
+  }
+
+  /// Is it nearer? False: no, or it cannot decide.
+  bool isWithin(double x, double y, double z, double tolerance) const
+  {
+    const Number above = this->above(x, y, z);
+    const Number limit = this->limit(tolerance);
+    return this->k.positive(limit - above) & this->k.positive(limit + above);
   }
 
 private:
@@ -103,22 +125,44 @@ private:
     Number x, y, z;
   };
 
-  Offset offset(const Vertex& p) const
+  Offset offset(double x, double y, double z) const
   {
-    return { this->k.difference(p.x[0], this->origin.x[0]),
-      this->k.difference(p.x[1], this->origin.x[1]),
-      this->k.difference(p.x[2], this->origin.x[2]) };
+    return { this->k.difference(x, this->origin[0]), this->k.difference(y, this->origin[1]),
+      this->k.difference(z, this->origin[2]) };
   }
 
-  Number above(const Vertex& p) const
+  Number above(double x, double y, double z) const
   {
-    const Offset w = this->offset(p);
+    const Offset w = this->offset(x, y, z);
     return this->normal.x * w.x + this->normal.y * w.y + this->normal.z * w.z;
   }
 
+  Number limit(double tolerance) const
+  {
+    return this->normal.z * this->k.difference(tolerance, 0.0);
+  }
+
   Arithmetic k;
-  const Vertex& origin;
+  double origin[3];
   Offset normal; ///< z: twice the area of the triangle, or the segment's length, squared
+};
+
+/// Some points, for vector units.
+struct SurfacePoints
+{
+  static constexpr int Capacity = 64;
+
+  int size = 0;
+  std::uint32_t number[Capacity];
+  double x[Capacity], y[Capacity], height[Capacity];
+
+  void add(std::uint32_t p, double toX, double toY, double toHeight)
+  {
+    this->number[this->size] = p;
+    this->x[this->size] = toX;
+    this->y[this->size] = toY;
+    this->height[this->size++] = toHeight;
+  }
 };
 
 /// Exact. For one thread.
@@ -132,56 +176,33 @@ public:
   }
 
   /// The height of a point over the plane, rounded to nearest.
-  double height(const Vertex& p) const
-  {
-    const double level = p.x[2];
-    double result = 0.0;
-    if ((level == this->corners.a->x[2] && level == this->corners.b->x[2] &&
-          (!this->corners.c || level == this->corners.c->x[2])) ||
-      this->quickPlane().height(p, result))
-    {
-      return result;
-    }
-    decide(this->range(p, 0.0),
-      [&](const auto& k) { return planeIn(k, this->corners).height(p, result); });
-    return result;
-  }
+  double height(const double* x) const;
+
+  /// The same of several.
+  void heights(const SurfacePoints& some, double* result) const;
 
   /// Is a point farther from the plane than the tolerance?
-  bool isBeyond(const Vertex& p, double tolerance) const
+  bool isBeyond(const double* x, double tolerance) const
   {
-    int sign = 0;
     return !std::isinf(tolerance) &&
-      (this->rough.compare(p, tolerance, sign) ? sign > 0
-                                               : this->isBeyond(p, this->height(p), tolerance));
+      (this->rough.isBeyond(x[0], x[1], x[2], tolerance) ||
+        (!this->rough.isWithin(x[0], x[1], x[2], tolerance) &&
+          this->isBeyond(x, this->height(x), tolerance)));
   }
 
   /// The same.
   /// @param rounded its height over the plane, from height()
-  bool isBeyond(const Vertex& p, double rounded, double tolerance) const
+  bool isBeyond(const double* x, double rounded, double tolerance) const
   {
     // Rounding is monotone.
     const double size = std::fabs(rounded);
-    if (size != tolerance || std::isinf(tolerance))
-    {
-      return size > tolerance;
-    }
-    int sign = 0;
-    if (!this->quickPlane().compare(p, tolerance, sign))
-    {
-      inIntegers(this->range(p, tolerance), MostBitsToRound,
-        [&](const auto& k) { return planeIn(k, this->corners).compare(p, tolerance, sign); });
-    }
-    return sign > 0;
+    return size == tolerance ? this->isBeyondTie(x, tolerance) : size > tolerance;
   }
+
+  /// Is none of several?
+  bool areWithin(const SurfacePoints& some, double tolerance) const;
 
 private:
-  template <class Arithmetic>
-  static NumberPlane<Arithmetic> planeIn(const Arithmetic& k, const SurfaceCorners& corners)
-  {
-    return NumberPlane<Arithmetic>(k, corners);
-  }
-
   /// Made when the rough one does not do.
   const NumberPlane<BoundedArithmetic<>>& quickPlane() const
   {
@@ -192,19 +213,9 @@ private:
     return *this->quick;
   }
 
-  ExponentRange range(const Vertex& p, double tolerance) const
-  {
-    ExponentRange result;
-    result.add(tolerance);
-    for (const Vertex* v : { this->corners.a, this->corners.b, this->corners.c, &p })
-    {
-      for (int i = 0; v && i < 3; ++i)
-      {
-        result.add(v->x[i]);
-      }
-    }
-    return result;
-  }
+  bool isLevel(double height) const;
+  bool isBeyondTie(const double* x, double tolerance) const;
+  ExponentRange range(const double* x, double tolerance) const;
 
   SurfaceCorners corners;
   NumberPlane<BoundedArithmetic<double>> rough;

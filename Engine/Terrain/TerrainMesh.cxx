@@ -406,13 +406,18 @@ private:
     this->fillErrors(result);
     std::atomic<std::int64_t> beyond{ 0 };
     insertion.eachRemaining(
-      [&](std::uint32_t i, const SurfacePlane& plane)
+      [&](const SurfacePoints& some, const SurfacePlane& plane)
       {
-        const double height = plane.height(points[i]);
-        result.errors[points[i].id] = height;
-        if (plane.isBeyond(points[i], height, this->limits.tolerance))
+        double heights[SurfacePoints::Capacity];
+        plane.heights(some, heights);
+        for (int i = 0; i < some.size; ++i)
         {
-          beyond.fetch_add(1, std::memory_order_relaxed);
+          const Vertex& point = points[some.number[i]];
+          result.errors[point.id] = heights[i];
+          if (plane.isBeyond(point.x, heights[i], this->limits.tolerance))
+          {
+            beyond.fetch_add(1, std::memory_order_relaxed);
+          }
         }
       });
     points.eachWithSite(
@@ -427,7 +432,7 @@ private:
           const double height = points[i].x[2] - points[site].x[2];
           result.errors[points[i].id] = height;
           result.unreachable +=
-            i != site && level.isBeyond(points[i], height, this->limits.tolerance) ? 1 : 0;
+            i != site && level.isBeyond(points[i].x, height, this->limits.tolerance) ? 1 : 0;
         }
       });
     result.beyond = beyond.load() + result.unreachable;

@@ -99,6 +99,21 @@ private:
   GridShape shape;
 };
 
+/// Of some points the farthest from a surface; of several as far, that of the lowest id.
+struct FarthestPoint
+{
+  double distance = -1.0;
+  std::uint32_t point = NoIndex; ///< there is none
+
+  void add(const TerrainPoints& points, std::uint32_t p, double far)
+  {
+    if (far > this->distance || (far == this->distance && points[p].id < points[this->point].id))
+    {
+      *this = { far, p };
+    }
+  }
+};
+
 }
 
 #endif
