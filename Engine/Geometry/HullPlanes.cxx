@@ -17,6 +17,7 @@
 #include "Geometry/HullPlanes.h"
 
 #include "Geometry/HullCones.h"
+#include "Support/PowersOfTwo.h"
 #include "Support/VectorClones.h"
 
 #include <cmath>
@@ -31,11 +32,7 @@ namespace
 /// The greatest power of two up to a normal number.
 double powerOfTwo(double x)
 {
-  std::uint64_t bits;
-  std::memcpy(&bits, &x, sizeof(bits));
-  bits &= 0x7FF0000000000000ull;
-  std::memcpy(&x, &bits, sizeof(bits));
-  return x;
+  return doubleOf(bitsOf(x) & 0x7FF0000000000000ull);
 }
 
 }

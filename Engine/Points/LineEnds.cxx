@@ -3,9 +3,9 @@
 #include "Points/LineEnds.h"
 
 #include "Points/Samples.h"
+#include "Support/PowersOfTwo.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace flipflop
 {
@@ -40,10 +40,7 @@ public:
     const double u = x[this->axis[1]] + 0.0;
     const double v = x[this->axis[2]] + 0.0;
     const double along = x[this->axis[0]];
-    std::uint64_t bits[2];
-    std::memcpy(&bits[0], &u, sizeof(u));
-    std::memcpy(&bits[1], &v, sizeof(v));
-    std::uint64_t hash = (bits[0] * 0x9E3779B97F4A7C15ull) ^ bits[1];
+    std::uint64_t hash = (bitsOf(u) * 0x9E3779B97F4A7C15ull) ^ bitsOf(v);
     hash = (hash ^ (hash >> 32)) * 0xBF58476D1CE4E5B9ull;
     for (std::size_t slot = hash >> this->shift;; slot = (slot + 1) % this->lines.size())
     {

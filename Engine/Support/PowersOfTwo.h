@@ -13,12 +13,27 @@
 namespace flipflop
 {
 
-/// std::ilogb of a finite number above zero.
-inline int exponentOf(double x)
+/// @{
+/// Of numbers from 0 on, bits have the same order.
+inline std::uint64_t bitsOf(double x)
 {
   std::uint64_t bits;
   std::memcpy(&bits, &x, sizeof(bits));
-  const int biased = static_cast<int>(bits >> 52);
+  return bits;
+}
+
+inline double doubleOf(std::uint64_t bits)
+{
+  double x;
+  std::memcpy(&x, &bits, sizeof(x));
+  return x;
+}
+/// @}
+
+/// std::ilogb of a finite number above zero.
+inline int exponentOf(double x)
+{
+  const int biased = static_cast<int>(bitsOf(x) >> 52);
   return biased > 0 ? biased - 1023 : std::ilogb(x); // a subnormal's bits begin lower
 }
 
@@ -40,10 +55,7 @@ inline ScaledInteger scaledInteger(double x)
 /// 2^exponent, from -1022 to 1023.
 inline double powerOfTwo(int exponent)
 {
-  const std::uint64_t bits = static_cast<std::uint64_t>(exponent + 1023) << 52;
-  double x;
-  std::memcpy(&x, &bits, sizeof(x));
-  return x;
+  return doubleOf(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
 }

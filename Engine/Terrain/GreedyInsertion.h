@@ -13,6 +13,7 @@
 
 #include "Support/Monitor.h"
 #include "Support/Parallel.h"
+#include "Terrain/CandidateQueue.h"
 #include "Terrain/SurfacePlane.h"
 #include "Terrain/TerrainPoints.h"
 
@@ -63,6 +64,7 @@ public:
     , monitor(toReport)
     , poll(toReport)
     , worst(toRefine.cellCount())
+    , queue(Order{ terrainPoints }, terrainPoints.size())
   {
   }
 
@@ -87,14 +89,18 @@ public:
   /// Insert points up to a limit.
   void run()
   {
-    while (!this->heap.empty() && this->kept.count < this->limits.mostVertices)
+    Candidate next;
+    const auto isCurrent = [this](const Candidate& candidate)
+    {
+      const FarthestPoint& now = this->worst[candidate.cell];
+      return now.point == candidate.point && now.distance == candidate.distance;
+    };
+    const auto prepare = [this](const std::vector<Candidate>& some) { this->prepare(some); };
+    while (
+      this->kept.count < this->limits.mostVertices && this->queue.pop(isCurrent, prepare, next))
     {
       this->poll.step();
-      const Candidate next = this->heap.front();
-      std::pop_heap(this->heap.begin(), this->heap.end(), Order{ this->points });
-      this->heap.pop_back();
-      const FarthestPoint& current = this->worst[next.cell];
-      if (current.point != next.point || current.distance != next.distance)
+      if (!isCurrent(next))
       {
         continue; // the cell has changed
       }
@@ -143,14 +149,7 @@ public:
   std::int64_t moveCount() const { return this->cells.moveCount(); }
 
 private:
-  struct Candidate
-  {
-    double distance;
-    std::uint32_t point;
-    std::uint32_t cell;
-  };
-
-  /// Of the heap: the farthest first, of several the lowest id.
+  /// The farthest first, of several the lowest id.
   struct Order
   {
     const TerrainPoints& points;
@@ -167,9 +166,23 @@ private:
     const FarthestPoint& found = this->worst[cell];
     if (found.point != NoIndex)
     {
-      this->heap.push_back({ found.distance, found.point, cell });
-      std::push_heap(this->heap.begin(), this->heap.end(), Order{ this->points });
+      this->queue.push({ found.distance, found.point, cell });
     }
+  }
+
+  /// What insertions will read comes from all places: request it for many of them at once.
+  void prepare(const std::vector<Candidate>& some)
+  {
+    this->near.clear();
+    for (const Candidate& candidate : some)
+    {
+      this->points.prefetch(candidate.point);
+      prefetch(&this->kept.isKept[candidate.point]);
+      this->cells.bringNear(candidate.point);
+      this->near.push_back(candidate.cell);
+    }
+    this->surface.bringNear(
+      this->near, [this](std::uint32_t cell) { prefetch(&this->worst[cell]); });
   }
 
   void insert(std::uint32_t v, std::uint32_t cell)
@@ -272,7 +285,8 @@ private:
   Monitor& monitor;
   StepPoll poll;
   std::vector<FarthestPoint> worst; ///< by cell; of a settled one there is none
-  std::vector<Candidate> heap;      ///< some of cells that have changed since
+  CandidateQueue<Order> queue;      ///< some of cells that have changed since
+  std::vector<std::uint32_t> near;  ///< for prepare()
   std::int64_t insertions = 0;
   std::int64_t reported = 0;
 };

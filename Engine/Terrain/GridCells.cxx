@@ -3,20 +3,18 @@
 #include "Terrain/GridCells.h"
 
 #include "Predicates/DoubleDouble.h"
+#include "Support/PowersOfTwo.h"
 #include "Support/VectorClones.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <cstdlib>
 
 namespace flipflop
 {
 
 namespace
 {
-
-/// How many pixels are measured at once; so many doubles are behind those of a row.
-constexpr int Lanes = 8;
 
 /// Are all steps the same?
 bool isEvenly(const std::vector<double>& axis)
@@ -31,14 +29,6 @@ bool isEvenly(const std::vector<double>& axis)
     }
   }
   return true;
-}
-
-/// Distances are ordered as their bits are.
-std::int64_t bitsOf(double distance)
-{
-  std::int64_t bits;
-  std::memcpy(&bits, &distance, sizeof(bits));
-  return bits;
 }
 
 /// Also of what is no number.
@@ -64,9 +54,7 @@ GridCells::GridCells(const TerrainPoints& terrainPoints, const TerrainSurface& c
     this->slowAt.push_back(this->points[p].x[1 - this->fast]);
   }
   this->isEven = isEvenly(this->fastAt) && isEvenly(this->slowAt);
-  this->fastAt.resize(this->columns + Lanes);
-  this->heights.allocate(std::size_t(this->points.size()) + Lanes);
-  std::fill_n(this->heights.data() + this->points.size(), Lanes, 0.0);
+  this->heights.allocate(this->points.size());
   for (std::uint32_t p = 0; p < this->points.size(); ++p)
   {
     this->heights[p] = this->points[p].x[2];
@@ -93,20 +81,23 @@ bool GridCells::isEdge(const Pixels& corners, std::uint32_t row)
     2;
 }
 
-bool GridCells::isOnEdge(const Pixels& corners, const Pixel& pixel)
+std::int64_t GridCells::twiceArea(const Pixel& p, const Pixel& q, const Pixel& r)
 {
   const auto offset = [](std::uint32_t a, std::uint32_t b) { return std::int64_t(a) - b; };
-  for (int e = 0; e < 3; ++e)
-  {
-    const Pixel& p = corners.from(e);
-    const Pixel& q = corners.to(e);
-    if (offset(q.row, p.row) * offset(pixel.column, p.column) ==
-      offset(pixel.row, p.row) * offset(q.column, p.column))
-    {
-      return true;
-    }
-  }
-  return false;
+  return offset(q.row, p.row) * offset(r.column, p.column) -
+    offset(r.row, p.row) * offset(q.column, p.column);
+}
+
+bool GridCells::isOnEdge(const Pixels& corners, const Pixel& pixel)
+{
+  return twiceArea(corners.from(0), corners.to(0), pixel) == 0 ||
+    twiceArea(corners.from(1), corners.to(1), pixel) == 0 ||
+    twiceArea(corners.from(2), corners.to(2), pixel) == 0;
+}
+
+bool GridCells::isEmpty(const Pixels& corners)
+{
+  return std::abs(twiceArea(corners.corner[0], corners.corner[1], corners.corner[2])) == 1;
 }
 
 /// An edge in an image of even spacing: in row i of its rows, from @p begin on, it is at column
@@ -121,7 +112,7 @@ struct GridCells::Edge
 };
 
 FF_VECTOR_CLONES
-void GridCells::cut(Rows& rows, const Edge* edges, int count)
+void GridCells::cutRows(Rows& rows, const Edge* edges, int count)
 {
   for (int e = 0; e < count; ++e)
   {
@@ -174,7 +165,7 @@ void GridCells::fill(const Pixels& corners, Rows& rows) const
       high = isRight ? std::min(high, column) : high;
     }
   }
-  cut(rows, edges, count);
+  cutRows(rows, edges, count);
   // A corner is at an end of its row.
   for (const Pixel& corner : corners.corner)
   {
@@ -233,7 +224,7 @@ std::int32_t GridCells::crossing(
   return static_cast<std::int32_t>(low);
 }
 
-/// The greatest distance in each row. What is behind its last pixel is measured, too, and not used.
+/// The greatest distance in each row.
 FF_VECTOR_CLONES
 void GridCells::findGreatest(const Rows& rows, const RoundedPlane::Row* planes, const double* along,
   const double* heights, std::size_t columns, double* greatest)
@@ -245,17 +236,22 @@ void GridCells::findGreatest(const Rows& rows, const RoundedPlane::Row* planes, 
     std::int64_t most = 0;
     for (std::int32_t c = rows.low[k]; c <= rows.high[k]; ++c)
     {
-      const std::int64_t bits = bitsOf(plane.distance(along[c], row[c]));
+      const auto bits = static_cast<std::int64_t>(bitsOf(plane.distance(along[c], row[c])));
       most = bits > most ? bits : most;
     }
-    std::memcpy(&greatest[k], &most, sizeof(double));
+    greatest[k] = doubleOf(static_cast<std::uint64_t>(most));
   }
 }
 
 FarthestPoint GridCells::farthest(std::uint32_t cell, const RoundedPlane& plane) const
 {
   FarthestPoint found;
-  this->eachBlock(this->pixelsOf(cell),
+  const Pixels corners = this->pixelsOf(cell);
+  if (this->isEven && isEmpty(corners))
+  {
+    return found;
+  }
+  this->eachBlock(corners,
     [&](const Rows& rows)
     {
       RoundedPlane::Row planes[Rows::Most];

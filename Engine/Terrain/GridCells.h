@@ -74,6 +74,15 @@ public:
   /// The farthest point of a cell, by rounded distances.
   FarthestPoint farthest(std::uint32_t cell, const RoundedPlane& plane) const;
 
+  /// Soon a point will be inserted: request the heights around it.
+  void bringNear(std::uint32_t p) const
+  {
+    const double* const height = &this->heights[p];
+    prefetch(height - (p < this->columns ? 0 : this->columns));
+    prefetch(height);
+    prefetch(height + (p + this->columns < this->points.size() ? this->columns : 0));
+  }
+
   /// A vertex was inserted.
   void update(std::uint32_t) {}
 
@@ -104,7 +113,7 @@ private:
   };
 
   struct Edge;
-  static void cut(Rows& rows, const Edge* edges, int count);
+  static void cutRows(Rows& rows, const Edge* edges, int count);
   static void findGreatest(const Rows& rows, const RoundedPlane::Row* planes, const double* along,
     const double* heights, std::size_t columns, double* greatest);
 
@@ -115,8 +124,12 @@ private:
   /// Is an edge along a row?
   static bool isEdge(const Pixels& corners, std::uint32_t row);
 
+  ///@{
   /// Of an image of even spacing.
+  static std::int64_t twiceArea(const Pixel& p, const Pixel& q, const Pixel& r);
   static bool isOnEdge(const Pixels& corners, const Pixel& pixel);
+  static bool isEmpty(const Pixels& corners); ///< by Pick's theorem: also on its edges
+  ///@}
 
   /// Is no lower cell at a pixel of a cell?
   bool isLowest(std::uint32_t cell, const Pixels& corners, const Pixel& pixel) const

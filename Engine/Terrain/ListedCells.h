@@ -71,6 +71,8 @@ public:
     this->eachIn(cell, use);
   }
 
+  static void bringNear(std::uint32_t) {}
+
   /// A vertex was inserted.
   void update(std::uint32_t v)
   {

@@ -43,6 +43,10 @@ public:
 
   static bool isCell(std::uint32_t) { return true; }
   static void findSpokes() {}
+  template <class Also>
+  static void bringNear(const std::vector<std::uint32_t>&, const Also&)
+  {
+  }
 
   void insert(std::uint32_t v, std::uint32_t cell)
   {

@@ -63,6 +63,36 @@ public:
     return this->mesh.orient(a, b, c);
   }
 
+  /// Soon some cells will be divided: request what that reads, of one ring around them after
+  /// another.
+  /// @param also (cell): of any that may be replaced
+  template <class Also>
+  void bringNear(std::vector<std::uint32_t>& cells, const Also& also) const
+  {
+    constexpr int Rings = 3;
+    std::vector<std::uint32_t> next;
+    for (int ring = 0; ring < Rings; ++ring)
+    {
+      for (const std::uint32_t t : cells)
+      {
+        prefetch(&this->mesh.triangle(t));
+        also(t);
+      }
+      next.clear();
+      for (const std::uint32_t t : cells)
+      {
+        const Triangle& triangle = this->mesh.triangle(t);
+        for (int i = 0; i < 3; ++i)
+        {
+          prefetch(&this->mesh.vertex(triangle.v[i]));
+          prefetch(&this->number[triangle.v[i]]);
+          next.push_back(triangleOf(triangle.twin[i]));
+        }
+      }
+      cells.swap(next);
+    }
+  }
+
   /// Insert point @p v, which is in cell @p t, its border included, but at no vertex.
   /// @throw Error TooManyPoints
   void insert(std::uint32_t v, std::uint32_t t);
