@@ -37,6 +37,53 @@ std::uint32_t within(double guess, std::uint32_t low, std::uint32_t high)
   return guess >= high ? high : guess > low ? static_cast<std::uint32_t>(guess) : low;
 }
 
+/// An edge in an image of even spacing: in row i of its rows, from @p begin on, it is at column
+/// (base + i step) / rows, a quotient of whole numbers below 2^53. So that is rounded down as it
+/// would be exactly. Of the left edge, base is greater by rows - 1, so that the quotient is rounded
+/// up.
+struct PixelEdge
+{
+  double base, step, rows;
+  std::uint32_t begin, end; ///< rows of a block
+  bool isRight;
+};
+
+FF_VECTOR_CLONES
+void cutRows(PixelRows& rows, const PixelEdge* edges, int count)
+{
+  for (int e = 0; e < count; ++e)
+  {
+    const PixelEdge edge = edges[e];
+    const auto size = static_cast<std::int32_t>(edge.end - edge.begin);
+    std::int32_t* const bound = (edge.isRight ? rows.high : rows.low) + edge.begin;
+    const std::int32_t sign = edge.isRight ? 1 : -1;
+    for (std::int32_t i = 0; i < size; ++i)
+    {
+      const auto column = static_cast<std::int32_t>((edge.base + i * edge.step) / edge.rows);
+      bound[i] = sign * column < sign * bound[i] ? column : bound[i];
+    }
+  }
+}
+
+/// The greatest distance in each row.
+FF_VECTOR_CLONES
+void findGreatest(const PixelRows& rows, const RoundedPlane::Row* planes, const double* along,
+  const double* heights, std::size_t columns, double* greatest)
+{
+  for (std::uint32_t k = 0; k < rows.count; ++k)
+  {
+    const RoundedPlane::Row plane = planes[k];
+    const double* const row = heights + k * columns;
+    std::int64_t most = 0;
+    for (std::int32_t c = rows.low[k]; c <= rows.high[k]; ++c)
+    {
+      const auto bits = static_cast<std::int64_t>(bitsOf(plane.distance(along[c], row[c])));
+      most = bits > most ? bits : most;
+    }
+    greatest[k] = doubleOf(static_cast<std::uint64_t>(most));
+  }
+}
+
 }
 
 GridCells::GridCells(const TerrainPoints& terrainPoints, const TerrainSurface& cells)
@@ -100,40 +147,12 @@ bool GridCells::isEmpty(const Pixels& corners)
   return std::abs(twiceArea(corners.corner[0], corners.corner[1], corners.corner[2])) == 1;
 }
 
-/// An edge in an image of even spacing: in row i of its rows, from @p begin on, it is at column
-/// (base + i step) / rows, a quotient of whole numbers below 2^53. So that is rounded down as it
-/// would be exactly. Of the left edge, base is greater by rows - 1, so that the quotient is rounded
-/// up.
-struct GridCells::Edge
-{
-  double base, step, rows;
-  std::uint32_t begin, end; ///< rows of a block
-  bool isRight;
-};
-
-FF_VECTOR_CLONES
-void GridCells::cutRows(Rows& rows, const Edge* edges, int count)
-{
-  for (int e = 0; e < count; ++e)
-  {
-    const Edge edge = edges[e];
-    const auto size = static_cast<std::int32_t>(edge.end - edge.begin);
-    std::int32_t* const bound = (edge.isRight ? rows.high : rows.low) + edge.begin;
-    const std::int32_t sign = edge.isRight ? 1 : -1;
-    for (std::int32_t i = 0; i < size; ++i)
-    {
-      const auto column = static_cast<std::int32_t>((edge.base + i * edge.step) / edge.rows);
-      bound[i] = sign * column < sign * bound[i] ? column : bound[i];
-    }
-  }
-}
-
 /// Which columns of the rows are in a triangle.
-void GridCells::fill(const Pixels& corners, Rows& rows) const
+void GridCells::fill(const Pixels& corners, PixelRows& rows) const
 {
   std::fill_n(rows.low, rows.count, 0);
   std::fill_n(rows.high, rows.count, static_cast<std::int32_t>(this->columns - 1));
-  Edge edges[3];
+  PixelEdge edges[3];
   int count = 0;
   for (int e = 0; e < 3; ++e)
   {
@@ -224,25 +243,6 @@ std::int32_t GridCells::crossing(
   return static_cast<std::int32_t>(low);
 }
 
-/// The greatest distance in each row.
-FF_VECTOR_CLONES
-void GridCells::findGreatest(const Rows& rows, const RoundedPlane::Row* planes, const double* along,
-  const double* heights, std::size_t columns, double* greatest)
-{
-  for (std::uint32_t k = 0; k < rows.count; ++k)
-  {
-    const RoundedPlane::Row plane = planes[k];
-    const double* const row = heights + k * columns;
-    std::int64_t most = 0;
-    for (std::int32_t c = rows.low[k]; c <= rows.high[k]; ++c)
-    {
-      const auto bits = static_cast<std::int64_t>(bitsOf(plane.distance(along[c], row[c])));
-      most = bits > most ? bits : most;
-    }
-    greatest[k] = doubleOf(static_cast<std::uint64_t>(most));
-  }
-}
-
 FarthestPoint GridCells::farthest(std::uint32_t cell, const RoundedPlane& plane) const
 {
   FarthestPoint found;
@@ -252,10 +252,10 @@ FarthestPoint GridCells::farthest(std::uint32_t cell, const RoundedPlane& plane)
     return found;
   }
   this->eachBlock(corners,
-    [&](const Rows& rows)
+    [&](const PixelRows& rows)
     {
-      RoundedPlane::Row planes[Rows::Most];
-      double greatest[Rows::Most];
+      RoundedPlane::Row planes[PixelRows::Most];
+      double greatest[PixelRows::Most];
       const double* const first = this->heights.data() + std::size_t(rows.first) * this->columns;
       for (std::uint32_t k = 0; k < rows.count; ++k)
       {

@@ -22,6 +22,15 @@
 namespace flipflop
 {
 
+/// Some rows of a triangle of pixels, and in each the columns from low to high, both included.
+struct PixelRows
+{
+  static constexpr std::uint32_t Most = 32;
+
+  std::uint32_t first, count;
+  std::int32_t low[Most], high[Most];
+};
+
 class GridCells
 {
 public:
@@ -33,7 +42,7 @@ public:
   void eachIn(std::uint32_t cell, const Use& use) const
   {
     this->eachBlock(this->pixelsOf(cell),
-      [&](const Rows& rows)
+      [&](const PixelRows& rows)
       {
         for (std::uint32_t k = 0; k < rows.count; ++k)
         {
@@ -52,7 +61,7 @@ public:
   {
     const Pixels corners = this->pixelsOf(cell);
     this->eachBlock(corners,
-      [&](const Rows& rows)
+      [&](const PixelRows& rows)
       {
         for (std::uint32_t k = 0; k < rows.count; ++k)
         {
@@ -103,22 +112,8 @@ private:
     const Pixel& to(int edge) const { return this->corner[nextCorner(edge)]; }
   };
 
-  /// Some rows of a triangle, and in each the columns from low to high, both included.
-  struct Rows
-  {
-    static constexpr std::uint32_t Most = 32;
-
-    std::uint32_t first, count;
-    std::int32_t low[Most], high[Most];
-  };
-
-  struct Edge;
-  static void cutRows(Rows& rows, const Edge* edges, int count);
-  static void findGreatest(const Rows& rows, const RoundedPlane::Row* planes, const double* along,
-    const double* heights, std::size_t columns, double* greatest);
-
   Pixels pixelsOf(std::uint32_t cell) const;
-  void fill(const Pixels& corners, Rows& rows) const;
+  void fill(const Pixels& corners, PixelRows& rows) const;
   std::int32_t crossing(const Pixel& p, const Pixel& q, std::uint32_t row, bool wantsLast) const;
 
   /// Is an edge along a row?
@@ -138,17 +133,17 @@ private:
       this->surface.isLowestAt(cell, this->at(pixel.row, pixel.column));
   }
 
-  /// use (Rows) for all rows of a triangle. Corners are left out: no other vertices are in it.
+  /// use (PixelRows) for all rows of a triangle. Corners are left out: no other vertices are in it.
   template <class Use>
   void eachBlock(const Pixels& corners, const Use& use) const
   {
     const Pixel* const c = corners.corner;
     const std::uint32_t end = std::max({ c[0].row, c[1].row, c[2].row }) + 1;
-    Rows rows;
+    PixelRows rows;
     for (rows.first = std::min({ c[0].row, c[1].row, c[2].row }); rows.first < end;
          rows.first += rows.count)
     {
-      rows.count = std::min(end - rows.first, Rows::Most);
+      rows.count = std::min(end - rows.first, PixelRows::Most);
       this->fill(corners, rows);
       use(rows);
     }
