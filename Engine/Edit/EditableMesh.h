@@ -145,6 +145,56 @@ public:
   /// The same in the triangle that holds it, as locate() gives it.
   bool insertIn(std::uint32_t slot, std::uint32_t t);
 
+  ///@{
+  /// For Delaunay refinement, of a triangulation without weights.
+
+  /// An edge around a cavity, which is on its left.
+  struct Side
+  {
+    std::uint32_t from, to;
+    std::uint32_t outer; ///< the opposite half-edge
+    bool isFixed;
+  };
+
+  /// From a triangle towards a point, as far as no fixed edge is in the way, or at the point.
+  /// @param blocked receives a half-edge that is; or NoIndex
+  /// @return        the last triangle; a virtual one if the point is outside
+  std::uint32_t walkWithin(const Vertex& point, std::uint32_t t, std::uint32_t& blocked);
+
+  /// Insert a point that has no slot yet, if it is at no vertex, and the caller agrees. It is on no
+  /// fixed edge.
+  /// @param t      the triangle that holds it
+  /// @param agrees bool (sides of the cavity)
+  /// @return       its slot; 0: nothing was changed
+  template <class Agrees>
+  std::uint32_t insertIf(const Vertex& point, std::uint32_t t, const Agrees& agrees)
+  {
+    if (!this->isAbove(t, point))
+    {
+      return NoSlot;
+    }
+    this->openCavity(point, t);
+    if (!agrees(this->found))
+    {
+      this->closeCavity();
+      return NoSlot;
+    }
+    return this->insertInCavity(point);
+  }
+
+  /// Insert a point that has no slot yet, near a fixed edge or on it, and let the edge run through
+  /// it instead.
+  /// @param h of the edge
+  /// @return  its slot; 0: nothing was changed, since a vertex is too near
+  std::uint32_t bendFixed(const Vertex& point, std::uint32_t h);
+
+  /// Make an edge fixed, or an ordinary one.
+  void setFixed(std::uint32_t h, bool isFixed);
+
+  /// The half-edge from one vertex to another; NoIndex: there is none.
+  std::uint32_t halfEdgeTo(std::uint32_t from, std::uint32_t to) const;
+  ///@}
+
   /// Remove the point of a slot. No edge at it is fixed.
   /// @return false if the visible points left would span no triangle: then nothing was changed
   bool remove(std::uint32_t slot);
@@ -261,14 +311,6 @@ private:
   static constexpr std::uint32_t TriangleInCavity = 0x40000000u;
   static constexpr std::uint32_t NoSlot = 0;
 
-  /// An edge around the cavity, which is on its left.
-  struct Side
-  {
-    std::uint32_t from, to;
-    std::uint32_t outer; ///< the opposite half-edge
-    bool isFixed;
-  };
-
   /// What changes with the arrays.
   struct Counts
   {
@@ -304,6 +346,11 @@ private:
   void orderSides();
   void takeHidden();
   void fillCavity(std::uint32_t slot);
+  void closeCavity();
+  std::uint32_t insertInCavity(const Vertex& point);
+  bool isAtCavity(std::uint32_t end) const;
+  bool isNoneBetween(std::uint32_t from, std::uint32_t to, const Vertex& p) const;
+  bool isStarShaped(const Vertex& p) const;
 
   void hide(std::uint32_t slot, std::uint32_t t);
   void hangAt(std::uint32_t slot, std::uint32_t point);

@@ -34,7 +34,7 @@ PROMISED = {
 MODULES = {
     "Engine": ["Support", "Points", "Predicates", "Mesh", "Geometry", "FlipFlop", "Finish", "Run",
                "Surface", "PowerDiagram", "Query", "Validate", "Alpha", "Constraints", "Edit", "Terrain",
-               "Blocks", "Stream", "Transport"],
+               "Refine", "Blocks", "Stream", "Transport"],
     "Cuda": ["Rounds", "Device", "Choice"],
 }
 

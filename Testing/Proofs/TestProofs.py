@@ -44,6 +44,7 @@ OTHER = {
     "Engine/Query/SiteGradients.cxx": ("the rank of a fit", "1e-6"),
     "Engine/Query/OffsetFrame.h": ("a range of a rounded result", "0x1p-300"),
     "Engine/Query/EdgeLengths.cxx": ("the range of expansions", "1e-120", "1e145"),
+    "Engine/Refine/SplitPoints.h": ("where a search ends", "std::numeric_limits<double>::epsilon()"),
     "Engine/Query/MinimalBox.cxx": ("a search, and its unit", "0x1p1000", "1e-12", "1e-12", "1e-12"),
     "Engine/Points/Scan.cxx": ("doubles that are integers", "0x1.8p52", "0x1p50", "0x1p53"),
     "Engine/Predicates/RoundedFractions.h": ("no overflow (bounded.gappa), and what rounded-fraction.gappa assumes",

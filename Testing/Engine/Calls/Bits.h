@@ -15,6 +15,7 @@
 #include <flipflop/PlaneFit.h>
 #include <flipflop/PowerDiagram.h>
 #include <flipflop/PrescribedAreas.h>
+#include <flipflop/RefinedMesh.h>
 #include <flipflop/SurfacePolygons.h>
 #include <flipflop/TerrainMesh.h>
 
@@ -68,6 +69,14 @@ inline Bits bitsOf(const ConstrainedTriangulation& result)
 {
   return bitsOf(static_cast<const Triangulation&>(result)) + bitsOf(result.fixedEdges) +
     bitsOf(result.constraintOf) + bitsOf(result.balance) + bitsOf(result.sideOf);
+}
+
+inline Bits bitsOf(const RefinedMesh& mesh)
+{
+  const std::int64_t counts[] = { mesh.newPoints, mesh.keptSegments, mesh.keptTriangles,
+    mesh.isComplete };
+  return bitsOf(static_cast<const ConstrainedTriangulation&>(mesh)) + bitsOf(mesh.points) +
+    bitsOf(mesh.constraintOfPoint) + bitsOf(mesh.region) + bitsOf(counts, 4);
 }
 
 inline Bits bitsOf(const TerrainMesh& mesh)

@@ -178,6 +178,13 @@ void addRuns(Table& table, const CallInputs& given)
   table.add("prescribedAreas", sites, true, false, refused,
     [=](Points points, Weights, const Options& options)
     { return bitsOf(prescribedAreas(points, WeightView(), box.data(), 1e-6, 2, options)); });
+  table.add("refinedMesh", sites, true, false, refused,
+    [](Points points, Weights, const Options& options)
+    {
+      RefinementOptions refinement;
+      refinement.maxPoints = 2000;
+      return bitsOf(refinedMesh(points, ConstraintView(), refinement, options));
+    });
   table.add("terrainMesh", body, false, false, refused,
     [](Points points, Weights, const Options& options)
     {

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Delaunay refinement (J. Ruppert, "A Delaunay refinement algorithm for quality 2-dimensional mesh
+/// generation", 1995; L. P. Chew, "Guaranteed-quality mesh generation for curved surfaces", 1993).
+///
+/// - A segment that a vertex encroaches upon is divided, in the middle; at a small angle of the
+///   input, at a power of two from its apex.
+/// - A triangle with a small angle, or that is too large, gets a vertex at its center, or at the
+///   off-center. If that would encroach upon a segment, or is behind one, the segment is divided.
+/// - A small angle between two segments of the input stays. A triangle whose shortest edge is
+///   between two such segments, on one circle around their apex, is not divided: it would not end
+///   (G. L. Miller, S. E. Pav, N. J. Walkington, "When and why Ruppert's algorithm works", 2003).
+///
+/// One insertion is after another, in an order that depends on nothing but the input.
+#ifndef flipflop_Refinement_h
+#define flipflop_Refinement_h
+
+#include "Edit/EditableMesh.h"
+#include "Refine/BadTriangles.h"
+#include "Refine/SplitPoints.h"
+#include "Refine/TriangleQuality.h"
+#include "Support/Monitor.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace flipflop
+{
+
+/// When the triangles of a mesh are good.
+struct RefinementLimits
+{
+  AngleBound angle;
+  std::vector<double> mostArea; ///< by region; infinite: any. Region 0 is outside of the mesh
+  std::int64_t mostPoints;      ///< new ones
+};
+
+class Refinement
+{
+public:
+  using Mesh = EditableMesh<false>;
+
+  /// @param toRefine  with all segments fixed
+  /// @param regionOf  by triangle
+  /// @param firstId   of new points
+  Refinement(Mesh& toRefine, std::vector<std::uint32_t> regionOf, const RefinementLimits& limits,
+    const RoundedPositions& positions, std::uint32_t firstId, Monitor& monitor);
+
+  /// Add a segment of the input, if it is not there. They are numbered from 0 on.
+  void addSegment(std::uint32_t from, std::uint32_t to);
+
+  void run();
+
+  std::uint32_t region(std::uint32_t t) const { return this->regionOf[t]; }
+
+  /// Of a new vertex, or NoIndex.
+  std::uint32_t segmentOf(std::uint32_t slot) const { return this->vertices[slot].segment; }
+
+  /// use (from, to, number) for each part of a segment.
+  template <class Use>
+  void eachPart(const Use& use) const
+  {
+    for (const auto& [key, part] : this->parts)
+    {
+      use(part.from, part.to, part.number);
+    }
+  }
+
+  ///@{
+  /// What was left as it is: segments whose middle would be too near to a vertex, and triangles
+  /// whose center would.
+  std::int64_t keptSegments() const { return this->segmentsLeft; }
+  std::int64_t keptTriangles() const { return this->trianglesLeft; }
+  bool reachedLimit() const { return this->isFull; }
+  ///@}
+
+private:
+  /// Of the input.
+  struct Segment
+  {
+    std::uint32_t from, to;
+    double length;
+    bool isSmallAt[2]; ///< the angle to another at an end
+  };
+
+  /// Of a vertex in a segment.
+  struct SegmentVertex
+  {
+    std::uint32_t segment; ///< NoIndex: it is in none
+    double distance[2];    ///< from both ends, as it was meant, not rounded
+  };
+
+  /// Of a segment, in its direction.
+  struct Part
+  {
+    std::uint32_t from, to;
+    std::uint32_t number;
+    bool isLeft; ///< it is too short to be divided
+  };
+
+  /// A part that may have to be divided.
+  struct Candidate
+  {
+    std::uint32_t from, to;
+    bool isForced; ///< without a vertex that encroaches upon it
+  };
+
+  const double* position(std::uint32_t slot) const { return this->mesh.vertex(slot).x; }
+  bool isInside(std::uint32_t t) const { return this->regionOf[t] != 0; }
+  Part& part(std::uint32_t a, std::uint32_t b);
+  SegmentVertex vertexOf(std::uint32_t segment, std::uint32_t slot) const;
+  SegmentVertex middleOf(const Part& part, double& share) const;
+
+  void findSmallAngles();
+  bool encroaches(std::uint32_t a, std::uint32_t b, std::uint32_t v) const;
+  bool isEncroached(std::uint32_t h) const;
+  void queueIfEncroached(std::uint32_t h);
+  void examine(std::uint32_t t);
+  bool isBetweenSegments(const ShapedTriangle& shape, const std::uint32_t* corner) const;
+
+  void divideSegments();
+  bool divide(const Candidate& candidate);
+  std::uint32_t insertBetween(const Part& part, double share);
+  void removeNear(std::uint32_t from, std::uint32_t to);
+  void divideTriangle(const BadTriangle& bad);
+  bool mayInsert(const std::vector<Mesh::Side>& sides, const double* x);
+  bool force(std::uint32_t a, std::uint32_t b);
+  Vertex newVertex(double x, double y) const;
+  void afterInsertion(
+    const SegmentVertex& vertex, const std::uint32_t (&ends)[2], const std::uint32_t (&regions)[2]);
+  void setRegion(std::uint32_t t, std::uint32_t region);
+
+  Mesh& mesh;
+  std::vector<std::uint32_t> regionOf; ///< by triangle
+  std::vector<std::uint32_t> stampOf;  ///< by triangle
+  const RefinementLimits& limits;
+  const RoundedPositions& positions;
+  const std::uint32_t firstId;
+  Monitor& monitor;
+  StepPoll poll;
+  const std::uint32_t firstNewSlot;
+  std::vector<SegmentVertex> vertices;           ///< by slot
+  std::vector<Segment> segments;                 ///< by number
+  std::unordered_map<std::uint64_t, Part> parts; ///< by edgeKey
+  std::vector<Candidate> waiting;                ///< of segments
+  std::size_t next = 0;                          ///< of these
+  BadTriangles bad;
+  std::int64_t inserted = 0;
+  std::int64_t segmentsLeft = 0;
+  std::int64_t trianglesLeft = 0;
+  bool isFull = false;
+};
+
+}
+
+#endif

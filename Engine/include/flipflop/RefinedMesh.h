@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Meshes of polygons whose triangles have no small angles and are small enough, for finite
+/// elements.
+#ifndef flipflop_RefinedMesh_h
+#define flipflop_RefinedMesh_h
+
+#include <flipflop/Buffer.h>
+#include <flipflop/ConstrainedTriangulation.h>
+#include <flipflop/Options.h>
+#include <flipflop/PointView.h>
+
+#include <cstdint>
+
+namespace flipflop
+{
+
+/// A part of a mesh that has its own limit, or its own number.
+struct MeshRegion
+{
+  double x, y;         ///< a point in it, on no constraint
+  double maxArea = 0;  ///< of its triangles; 0: as everywhere
+  bool isHole = false; ///< leave it out
+};
+
+/// What the triangles of a mesh must be like.
+struct RefinementOptions
+{
+  /// The least angle of a triangle, in degrees: 0 to 34. Up to 20.7 the refinement is proven to end
+  /// with no smaller angle but at small angles of the input; to about 30 it does in practice.
+  double minAngle = 25;
+  double maxArea = 0;                  ///< of a triangle; 0: any
+  const MeshRegion* regions = nullptr; ///< each in a part of its own that constraints enclose
+  std::int64_t regionCount = 0;        ///< how many
+  std::int64_t maxPoints = 0;          ///< insert no more; 0: ten million
+};
+
+/// The constrained Delaunay triangulation of the input's points and the new ones, bit for bit what
+/// constrainedTriangulation() of these and of `fixedEdges` gives. Ids of new points follow those of
+/// the input.
+///
+/// A constraint runs through the new points that divide it. These are rounded to multiples of one
+/// unit, the spacing of doubles at the greatest coordinate, so each is off the part that it divides
+/// by less than a unit; by up to 2.2 units where it would otherwise be beyond a thin triangle.
+struct RefinedMesh : ConstrainedTriangulation
+{
+  Buffer<double> points; ///< x and y of all points, by id
+
+  /// For each new point the constraint that it divides; -1: it is inside, or on an edge of the
+  /// convex hull that no constraint runs along.
+  Buffer<std::int64_t> constraintOfPoint;
+
+  /// For each cell: -1: it is outside of the mesh; 0: in none of the regions; else the number of
+  /// its region, from 1 on.
+  Buffer<std::int64_t> region;
+
+  std::int64_t newPoints = 0;     ///< how many
+  std::int64_t keptSegments = 0;  ///< parts of constraints that are too short to be divided
+  std::int64_t keptTriangles = 0; ///< bad triangles whose center is too near to a vertex
+  bool isComplete = true;         ///< false: maxPoints ended it
+};
+
+/// A mesh by Delaunay refinement. It covers what is inside of the polygons (Options::polygons);
+/// without polygons, what the constraints enclose; where they enclose nothing, the convex hull.
+/// Constraints inside are edges of it.
+///
+/// Every triangle in it has the least angle, and at most the area, but for those at angles of less
+/// than 60 degrees between constraints, and near what was kept (keptSegments, keptTriangles).
+/// Decisions on angles and areas are conservative: a triangle that is called good is.
+///
+/// @param points      as for constrainedTriangulation(); finite
+/// @param constraints the same; crossing ones: see splitCrossings()
+/// @param refinement  see RefinementOptions
+/// @param options     see Options; facets do not count
+/// @return            the mesh, the same for any number of threads
+/// @throw Error       BadArgument (an angle, an area or a number out of range, a region's point
+///                    outside of the mesh or on a constraint, two in one part: index: it),
+///                    ConstraintPoint, ConstraintsCross, PolygonsDisagree, NonFinite,
+///                    TooManyPoints, OutOfMemory, Aborted
+RefinedMesh refinedMesh(const PointView& points, const ConstraintView& constraints,
+  const RefinementOptions& refinement, const Options& options = Options());
+
+}
+
+#endif
