@@ -22,7 +22,7 @@ from vtkflipflop.arrays import CentroidalCells, PrescribedAreas, centroidal_cell
 from vtkflipflop.arrays import ConvexHull, Diameter, HullBatch, InputError, OrientedBox, Polygons
 from vtkflipflop.arrays import Validation, convex_hull, convex_hulls, convexify, power_diagram, regular_triangulation
 from vtkflipflop.arrays import PowerDiagram, RegularTriangulation, AlphaComplex, ConstrainedTriangulation, TerrainMesh
-from vtkflipflop.arrays import alpha_complex, terrain_mesh, validate
+from vtkflipflop.arrays import alpha_complex, refined_mesh, terrain_mesh, validate
 from pathlib import Path
 from vtkflipflop.arrays import Streamed, TriangulationBatch, regular_triangulations, constrained_triangulation, stream
 
@@ -82,6 +82,7 @@ assert_type(prescribed_areas([[0.0, 1]], [1], [[0, 0], [1, 0], [0, 1]]), Prescri
 assert_type(prescribed_areas([[0.0, 1]]).weights, NDArray[np.float64])
 assert_type(terrain_mesh([[0.0, 1, 2]], tolerance=1, constraints=[[0, 0]]), TerrainMesh)
 assert_type(terrain_mesh([[0.0, 1]], [2.0], max_vertices=9).errors, NDArray[np.float64])
+assert_type(refined_mesh([[0.0, 1]], polygons=[[0, 0, 0]], holes=[[1, 2]]).simplices, NDArray[np.int64])
 assert_type(constrained_triangulation([[0.0, 1, 2]], np.zeros((2, 3))).point_origin, NDArray[np.uint8])
 assert_type(stream(["a.npz", np.zeros((2, 2)), {"points": [[0, 0]]}], "out", kind="hull", memory=2**30), Streamed)
 assert_type(stream([], Path("out")).files, tuple[Path, ...])

@@ -132,6 +132,7 @@ void bindComplexes(nanobind::module_& module);
 
 /// Terrain meshes.
 void bindTerrain(nanobind::module_& module);
+void bindRefine(nanobind::module_& module);
 
 /// Triangulations that are edited.
 void bindEdits(nanobind::module_& module);

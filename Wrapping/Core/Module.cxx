@@ -446,6 +446,7 @@ NB_MODULE(_core, module)
   bindQueries(module);
   bindComplexes(module);
   bindTerrain(module);
+  bindRefine(module);
   bindEdits(module);
   bindStream(module);
   bindTransport(module);

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from operator import index
 from typing import Any
 
 import numpy as np
@@ -76,6 +77,19 @@ def number_of(name: str, value: Any) -> float:
     number = float_of(name, value)
     if not np.isfinite(number):
         raise ValueError(f"{name} is a finite number, not {value!r}")
+    return number
+
+
+def most_of(name: str, value: Any) -> int:
+    """A greatest number, 1 or more; 0 where there is none."""
+    if value is None:
+        return 0
+    try:
+        number = index(value)
+    except TypeError:
+        raise TypeError(f"{name} is an integer or None, not {value!r}") from None
+    if not 0 < number < 2**63:
+        raise ValueError(f"{name} is 1 or more, or None, not {value}")
     return number
 
 

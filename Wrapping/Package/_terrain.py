@@ -6,14 +6,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cached_property
-from operator import index
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import float_of
+from ._arguments import float_of, most_of
 from ._constraints import Chains, Constraints
 from ._errors import InputError
 from ._geometries import Degenerate, Lines, lines_of
@@ -208,12 +207,4 @@ def limits_of(tolerance: float, vertices: int | None) -> tuple[float, int]:
     number = float_of("tolerance", tolerance)
     if not number >= 0:
         raise ValueError(f"tolerance is 0 or more, not {tolerance!r}")
-    if vertices is None:
-        return number, 0
-    try:
-        most = index(vertices)
-    except TypeError:
-        raise TypeError(f"max_vertices is an integer or None, not {vertices!r}") from None
-    if not 0 < most < 2**63:
-        raise ValueError(f"max_vertices is 1 or more, or None, not {vertices}")
-    return number, most
+    return number, most_of("max_vertices", vertices)

@@ -41,6 +41,7 @@ from ._las import LasPoints, read_las
 from ._lines import JoinedTriangulation, constrained_triangulation
 from ._power_diagram import PowerDiagram
 from ._results import Polygons, Validation
+from ._refine import RefinedMesh, refined_mesh
 from ._stream import Streamed, stream
 from ._terrain import TerrainMesh, terrain_mesh
 from ._transport import CentroidalCells, PrescribedAreas, centroidal_cells, prescribed_areas
@@ -65,6 +66,7 @@ __all__ = [
     "Polygons",
     "PowerDiagram",
     "PrescribedAreas",
+    "RefinedMesh",
     "RegularTriangulation",
     "Side",
     "SplitConstraints",
@@ -81,6 +83,7 @@ __all__ = [
     "power_diagram",
     "prescribed_areas",
     "read_las",
+    "refined_mesh",
     "regular_triangulation",
     "regular_triangulations",
     "split_crossings",

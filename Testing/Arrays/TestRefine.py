@@ -1,0 +1,129 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Refined meshes of arrays: shapes, areas and angles, and a small finite element problem that they serve."""
+
+import unittest
+import warnings
+
+import numpy as np
+from vtkflipflop.arrays import InputError, refined_mesh, regular_triangulation
+
+SQUARE = [[0.0, 0], [1, 0], [1, 1], [0, 1]]
+RING = [[0, 1, 2, 3]]
+
+
+class TestRefine(unittest.TestCase):
+    def check(self, mesh, angle):
+        self.assertTrue(mesh.is_complete)
+        self.assertEqual((mesh.kept_segments, mesh.kept_triangles), (0, 0))
+        self.assertGreater(mesh.angles.min(), angle - 1e-9)
+        self.assertGreater(mesh.areas.min(), 0)
+        whole = regular_triangulation(mesh.points, constraints=mesh.segments)
+        np.testing.assert_array_equal(whole.fixed_edges, mesh.segments)
+        rows = set(map(tuple, whole.simplices))
+        self.assertTrue(all(tuple(row) in rows for row in mesh.simplices))
+
+    def test_square(self):
+        for angle, area in ((20, None), (30, 0.01), (0, 0.001)):
+            with self.subTest(angle=angle, area=area):
+                mesh = refined_mesh(SQUARE, polygons=RING, minimum_angle=angle, maximum_area=area)
+                self.check(mesh, angle)
+                self.assertAlmostEqual(mesh.areas.sum(), 1, delta=1e-13)
+                self.assertLessEqual(mesh.areas.max(), area or 1)
+                self.assertEqual(mesh.new_points, len(mesh.points) - 4)
+                np.testing.assert_array_equal(mesh.points[:4], SQUARE)
+                on = mesh.points[4:][mesh.constraint_of_point >= 0]
+                self.assertTrue(((on == 0) | (on == 1)).any(axis=1).all())
+
+    def test_neighbors(self):
+        mesh = refined_mesh(SQUARE, polygons=RING, maximum_area=0.01)
+        for row, others in enumerate(mesh.neighbors):
+            for corner, other in enumerate(others):
+                edge = set(np.delete(mesh.simplices[row], corner))
+                if other < 0:
+                    self.assertIn(tuple(sorted(edge)), set(map(tuple, mesh.segments)))
+                else:
+                    self.assertTrue(edge <= set(mesh.simplices[other]))
+
+    def test_regions_and_holes(self):
+        points = [*SQUARE, [0.5, 0], [0.5, 1], [0.7, 0.4], [0.9, 0.4], [0.8, 0.6]]
+        mesh = refined_mesh(
+            points,
+            constraints=[[4, 5], [6, 7], [7, 8], [8, 6]],
+            polygons=RING,
+            regions=[[0.1, 0.1, 0.001], [0.9, 0.9, 0]],
+            holes=[[0.8, 0.5]],
+            maximum_area=0.05,
+        )
+        self.check(mesh, 25)
+        self.assertAlmostEqual(mesh.areas.sum(), 1 - 0.02, delta=1e-13)
+        left = mesh.points[mesh.simplices].mean(axis=1)[:, 0] < 0.5
+        np.testing.assert_array_equal(mesh.region_of, np.where(left, 0, 1))
+        self.assertLessEqual(mesh.areas[left].max(), 0.001)
+        self.assertGreater(mesh.areas[~left].max(), 0.001)
+
+    def test_lines(self):
+        polygon = {
+            "type": "Polygon",
+            "coordinates": [
+                [[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]],
+                [[1, 1], [3, 1], [3, 3], [1, 3], [1, 1]],
+            ],
+        }
+        across = {"type": "LineString", "coordinates": [[-1, 0.5], [5, 0.75]]}
+        mesh = refined_mesh([], lines=[polygon, across], minimum_angle=28)
+        self.check(mesh, 28)
+        self.assertAlmostEqual(mesh.areas.sum(), 12, delta=1e-12)
+
+    def test_bad_input(self):
+        for wrong, error, sentence in (
+            (dict(minimum_angle=35), InputError, "from 0 to 34 degrees"),
+            (dict(minimum_angle="a"), TypeError, "minimum_angle is a number"),
+            (dict(maximum_area=0), ValueError, "maximum_area is above 0"),
+            (dict(maximum_area=np.nan), ValueError, "maximum_area is above 0"),
+            (dict(maximum_points=0), ValueError, "maximum_points is 1 or more"),
+            (dict(regions=[[2, 2]]), InputError, "inside of the mesh, on no constraint: at index 0"),
+            (dict(holes=[[0.5, 0.5], [0.5, 0.2]]), InputError, "two regions must not be in one part.*: at index 1"),
+            (dict(regions=[1, 2]), ValueError, "regions are rows of 2 or 3 numbers"),
+            (dict(constraints=[[0, 9]]), InputError, "constraint 0"),
+            (dict(lines=[]), ValueError, "not both"),
+        ):
+            with self.subTest(**wrong), self.assertRaisesRegex(error, sentence):
+                refined_mesh(SQUARE, polygons=RING, **wrong)
+        with self.assertWarnsRegex(UserWarning, "maximum_points ended"):
+            mesh = refined_mesh(SQUARE, polygons=RING, maximum_area=1e-4, maximum_points=50)
+        self.assertFalse(mesh.is_complete)
+        self.assertEqual(mesh.new_points, 50)
+
+    def test_finite_elements(self):
+        """Linear elements for -laplace(u) = f with a known u: the error falls by four where areas do."""
+        errors = []
+        for area in (4e-3, 1e-3, 2.5e-4):
+            mesh = refined_mesh(SQUARE, polygons=RING, minimum_angle=28, maximum_area=area)
+            errors.append(_poisson_error(mesh))
+        for coarse, fine in zip(errors, errors[1:]):
+            self.assertGreater(coarse / fine, 2.5)
+        self.assertLess(errors[-1], 1e-3)
+
+
+def _poisson_error(mesh):
+    """The root of the mean square of the error at vertices, of u = sin(pi x) sin(pi y)."""
+    used, cells = np.unique(mesh.simplices, return_inverse=True)
+    cells, points = cells.reshape(-1, 3), mesh.points[used]
+    matrix, load = np.zeros((len(used), len(used))), np.zeros(len(used))
+    truth = np.sin(np.pi * points).prod(axis=1)
+    for cell in cells:
+        x = points[cell]
+        edges = np.array([x[2] - x[1], x[0] - x[2], x[1] - x[0]])
+        area = abs(edges[0, 0] * edges[1, 1] - edges[0, 1] * edges[1, 0]) / 2
+        matrix[np.ix_(cell, cell)] += edges @ edges.T / (4 * area)
+        load[cell] += 2 * np.pi**2 * truth[cell] * area / 3
+    inside = ((points > 0) & (points < 1)).all(axis=1)
+    found = np.zeros(len(used))
+    found[inside] = np.linalg.solve(matrix[np.ix_(inside, inside)], load[inside])
+    return np.sqrt(np.mean((found - truth) ** 2))
+
+
+if __name__ == "__main__":
+    warnings.simplefilter("error")
+    unittest.main()
