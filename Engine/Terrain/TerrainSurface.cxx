@@ -57,7 +57,7 @@ TerrainSurface::TerrainSurface(const Geometry& signs, const TerrainPoints& terra
   const ConstrainedTriangulation& start, const std::vector<std::uint32_t>& vertexOf)
   : points(terrainPoints)
   , mesh(signs)
-  , number(1, NoIndex)
+  , number(1, 0)
 {
   for (const std::uint32_t v : vertexOf)
   {
@@ -85,8 +85,10 @@ bool TerrainSurface::isLowestAt(std::uint32_t t, const Vertex& p) const
 
 std::uint32_t TerrainSurface::addSlot(std::uint32_t v)
 {
+  Vertex flat = this->points[v];
+  flat.x[2] = 0.0;
   this->number.push_back(v);
-  return this->mesh.addSlot(this->points[v]);
+  return this->mesh.addSlot(flat);
 }
 
 void TerrainSurface::insert(std::uint32_t v, std::uint32_t t)

@@ -36,9 +36,9 @@ public:
   SurfaceCorners corners(std::uint32_t t) const
   {
     const std::uint32_t* const v = this->mesh.triangle(t).v;
-    const Vertex* const a = &this->mesh.vertex(v[0]);
-    const Vertex* const b = &this->mesh.vertex(v[1]);
-    const Vertex* const c = &this->mesh.vertex(v[2]);
+    const Vertex* const a = &this->points[this->number[v[0]]];
+    const Vertex* const b = &this->points[this->number[v[1]]];
+    const Vertex* const c = &this->points[this->number[v[2]]];
     const bool isFirst = a->id < b->id && a->id < c->id;
     return isFirst    ? SurfaceCorners{ a, b, c }
       : b->id < c->id ? SurfaceCorners{ b, c, a }
@@ -85,7 +85,7 @@ public:
         for (int i = 0; i < 3; ++i)
         {
           prefetch(&this->mesh.vertex(triangle.v[i]));
-          prefetch(&this->number[triangle.v[i]]);
+          this->points.prefetch(this->number[triangle.v[i]]);
           next.push_back(triangleOf(triangle.twin[i]));
         }
       }
@@ -131,7 +131,7 @@ private:
   void findPartsOfBlock(const std::uint32_t* some, std::size_t size, std::uint32_t* part) const;
 
   const TerrainPoints& points;
-  EditableMesh<false> mesh; ///< its third coordinates are heights, which no sign depends on
+  EditableMesh<false> mesh; ///< its third coordinates are zeros, not heights: signs may read them
   std::vector<std::uint32_t> number; ///< by slot
   std::uint32_t center = 0;          ///< the slot of the last vertex inserted
   std::vector<Spoke> spokes;         ///< of it, one a part

@@ -545,6 +545,27 @@ TEST(TerrainMesh, AnyMagnitude)
   }
 }
 
+// Where exponents span more than expansions carry, the signs of points without weights read zeros.
+TEST(TerrainMesh, MixedMagnitudes)
+{
+  const double all[] = { -1e300, -1e-300, 0, 1e-300, 1e300 };
+  for (const int skipped : { 0, 1, 2 })
+  {
+    Cloud cloud;
+    for (int i = 0; i < 25; ++i)
+    {
+      if (skipped == 0 || i % 7 != skipped) // a grid, or none
+      {
+        cloud.push_back({ all[i % 5], all[i / 5], double((i * 7) % 11) });
+      }
+    }
+    for (const double tolerance : { 0.0, 1.0, 3.0 })
+    {
+      EXPECT_EQ(faultOf({ cloud, {}, tolerance }), "") << skipped << " " << tolerance;
+    }
+  }
+}
+
 TEST(TerrainMesh, RefusesWhatIsNoTolerance)
 {
   const Cloud cloud = squareGrid(3);
