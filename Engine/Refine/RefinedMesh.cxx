@@ -121,7 +121,13 @@ private:
       smallest = std::min(smallest, unit);
     }
     this->range.smallest[2] = HUGE_VAL;
-    this->setArithmetic(chooseLiftedArithmetic(this->range));
+    const Arithmetic chosen = chooseLiftedArithmetic(this->range);
+    if (chosen.wide)
+    {
+      throw badArgument("coordinates of a mesh to be refined must be 0 where they are smaller than "
+                        "the greatest by more than about 60 orders of magnitude");
+    }
+    this->setArithmetic(chosen);
     this->positions = std::make_unique<RoundedPositions>(
       this->range, std::ldexp(unit, this->source.scaleExponent(0)));
   }

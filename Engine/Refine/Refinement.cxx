@@ -245,8 +245,9 @@ std::uint32_t Refinement::insertBetween(const Part& part, double share)
   std::uint32_t slot = 0;
   for (int i = 0; i < 9 && slot == 0; ++i)
   {
-    slot =
-      this->mesh.bendFixed(this->newVertex(x + Around[i][0] * step, y + Around[i][1] * step), h);
+    const Vertex point = this->newVertex(this->positions.within(x + Around[i][0] * step, 0),
+      this->positions.within(y + Around[i][1] * step, 1));
+    slot = this->mesh.bendFixed(point, h);
   }
   return slot;
 }

@@ -33,11 +33,16 @@ public:
 
   double step() const { return this->unit; }
 
-  /// Of a point anywhere, within the range of all.
+  /// Within the range of all points, also of what is no number.
+  double within(double x, int axis) const
+  {
+    return !(x > this->low[axis]) ? this->low[axis] : std::min(x, this->high[axis]);
+  }
+
+  /// Of a point anywhere.
   double rounded(double x, int axis) const
   {
-    const double result = std::nearbyint(x / this->unit) * this->unit;
-    return std::min(std::max(result, this->low[axis]), this->high[axis]);
+    return this->within(std::nearbyint(x / this->unit) * this->unit, axis);
   }
 
   /// from + share (to - from), rounded once.

@@ -164,7 +164,8 @@ struct ShapedTriangle
     double y = edge.x * shares[1] - other.x * shares[0];
     const double offX = 0.5 * edge.x - bound.farthest() * edge.y;
     const double offY = 0.5 * edge.y + bound.farthest() * edge.x;
-    if (!(area > 0) || offX * offX + offY * offY < x * x + y * y)
+    const double off = offX * offX + offY * offY;
+    if (std::isfinite(off) && !(area > 0 && x * x + y * y <= off))
     {
       x = offX;
       y = offY;

@@ -6,6 +6,7 @@
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/ConstraintCrossings.h>
 #include <flipflop/JoinedLines.h>
+#include <flipflop/RefinedMesh.h>
 #include <flipflop/TerrainMesh.h>
 #include <flipflop/Validate.h>
 
@@ -230,6 +231,37 @@ void meshTerrain(Trial& trial, Bytes& bytes, const Cloud& cloud, const Constrain
   demand(most > 0 || mesh.result->beyond == mesh.result->unreachable, "the mesh is not finished");
 }
 
+/// A mesh of a few points more: it is the triangulation of what it has, from nothing.
+/// @param points of constraints that do not cross
+void refine(Trial& trial, Bytes& bytes, const PointView& points, const ConstraintView& constraints)
+{
+  RefinementOptions refinement;
+  refinement.minAngle = bytes.below(35);
+  refinement.maxArea = bytes.oneOf(2) ? std::ldexp(1 + bytes.below(5), bytes.below(24) - 12) : 0;
+  refinement.maxPoints = 1 + bytes.below(250);
+  const auto mesh = trial.run(-1, { ErrorCode::NonFinite, ErrorCode::BadArgument },
+    [&](const Options& options) { return refinedMesh(points, constraints, refinement, options); });
+  if (!mesh.result)
+  {
+    return;
+  }
+  std::vector<std::int64_t> ends;
+  for (const std::int64_t corner : mesh.result->fixedEdges)
+  {
+    ends.push_back(mesh.result->pointIds[static_cast<std::size_t>(corner)]);
+  }
+  const PointView all(mesh.result->points.data(), points.count + mesh.result->newPoints, 2);
+  const ConstrainedTriangulation wanted = constrainedTriangulation(
+    all, ConstraintView(ends.data(), mesh.result->constraintOf.size()), trial.plain());
+  demand(std::equal(wanted.fixedEdges.begin(), wanted.fixedEdges.end(),
+           mesh.result->fixedEdges.begin(), mesh.result->fixedEdges.end()),
+    "a segment of the mesh is none of its triangulation");
+  demand(mesh.result->dimension < 2 || trial.plain().facets == FacetMode::Polygons ||
+      std::equal(wanted.connectivity.begin(), wanted.connectivity.end(),
+        mesh.result->connectivity.begin(), mesh.result->connectivity.end()),
+    "the mesh is not the triangulation of its points");
+}
+
 }
 
 void fuzzConstraints(Bytes& bytes)
@@ -283,6 +315,7 @@ void fuzzConstraints(Bytes& bytes)
     cloud.empty() ? nullptr : cloud.front().data(), static_cast<std::int64_t>(cloud.size()));
   demandRight(trial, all, split.result->view(),
     constrainedTriangulation(all, split.result->view(), trial.plain()), constraints.areClosed);
+  refine(trial, bytes, all, split.result->view());
 }
 
 }

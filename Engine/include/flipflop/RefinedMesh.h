@@ -74,8 +74,10 @@ struct RefinedMesh : ConstrainedTriangulation
 /// @param refinement  see RefinementOptions
 /// @param options     see Options; facets do not count
 /// @return            the mesh, the same for any number of threads
-/// @throw Error       BadArgument (an angle, an area or a number out of range, a region's point
-///                    outside of the mesh or on a constraint, two in one part: index: it),
+/// @throw Error       BadArgument (an angle, an area or a number out of range; a region's point
+///                    outside of the mesh or on a constraint, two in one part: index: it;
+///                    coordinates that are not 0, and smaller than the greatest by more than about
+///                    60 orders of magnitude),
 ///                    ConstraintPoint, ConstraintsCross, PolygonsDisagree, NonFinite,
 ///                    TooManyPoints, OutOfMemory, Aborted
 RefinedMesh refinedMesh(const PointView& points, const ConstraintView& constraints,

@@ -440,6 +440,10 @@ TEST(RefinedMesh, RefusesWhatIsNoLimit)
   EXPECT_EQ(changed([&](Graph& graph) { graph.refinement.maxArea = nan; }), area);
   EXPECT_EQ(changed([](Graph& graph) { graph.refinement.maxPoints = -1; }),
     "the numbers of points and of regions must be 0 or more -1");
+  EXPECT_EQ(changed([](Graph& graph) { graph.points[0] = 1e-300; }),
+    "coordinates of a mesh to be refined must be 0 where they are smaller than the greatest by "
+    "more "
+    "than about 60 orders of magnitude -1");
   const auto withRegions = [&](const std::vector<MeshRegion>& regions)
   { return changed([&](Graph& graph) { graph.regions = regions; }); };
   const std::string inside = "the point of a region must be inside of the mesh, on no constraint ";
