@@ -263,7 +263,7 @@ void addExtent(PlaneSums& sums, const PointView& points, const Options& options)
   engineCall(
     [&]
     {
-      requireArray(points, 3);
+      requireValid(points, 3);
       visitFinite(points, options,
         [&](const Vector& p)
         {
@@ -295,7 +295,7 @@ void addToSum(PlaneSums& sums, const PointView& points, const Options& options)
   engineCall(
     [&]
     {
-      requireArray(points, 3);
+      requireValid(points, 3);
       const double unit = toUnit(sums.largest);
       Vector sum = sums.sum;
       visitFinite(points, options,
@@ -316,7 +316,7 @@ void addToSpread(PlaneSums& sums, const PointView& points, const Options& option
   engineCall(
     [&]
     {
-      requireArray(points, 3);
+      requireValid(points, 3);
       const double unit = toUnit(sums.largest);
       const Vector mean = meanOf(sums);
       Matrix spread = sums.spread;
@@ -364,7 +364,7 @@ Buffer<double> positionsInPlane(
   return engineCall(
     [&]
     {
-      requireArray(points, 3);
+      requireValid(points, 3);
       Buffer<double> positions(2 * static_cast<std::size_t>(points.count));
       visitAtOnce(points, options,
         [&](std::int64_t i, const Vector& p)
@@ -398,7 +398,7 @@ Buffer<double> positionsInXY(const PointView& points, const Options& options)
   return engineCall(
     [&]
     {
-      requireArray(points, 3);
+      requireValid(points, 3);
       std::atomic<bool> allFinite(true);
       visitAtOnce(points, options,
         [&](std::int64_t, const Vector& p)

@@ -37,7 +37,7 @@ struct FittedPlane
 /// All is computed in double and in a fixed order, so the same points give the same bits.
 /// @param points  in space
 /// @param options only the progress function is used; it is called with 0 from time to time
-/// @throw Error   BadArgument, Aborted
+/// @throw Error   BadArgument, TooManyPoints, Aborted
 FittedPlane fitPlane(const PointView& points, const Options& options = Options());
 
 /// What fitPlane() sums, for points that come in parts, such as those of several processes. The
@@ -64,7 +64,7 @@ struct PlaneSums
 /// @param sums    of all parts before it
 /// @param points  in space
 /// @param options only the progress function is used; it is called with 0 from time to time
-/// @throw Error   BadArgument, Aborted
+/// @throw Error   BadArgument, TooManyPoints, Aborted
 void addExtent(PlaneSums& sums, const PointView& points, const Options& options = Options());
 void addToSum(PlaneSums& sums, const PointView& points, const Options& options = Options());
 void addToSpread(PlaneSums& sums, const PointView& points, const Options& options = Options());
@@ -81,7 +81,7 @@ FittedPlane planeOf(const PlaneSums& sums);
 /// @param points  in space
 /// @param plane   that fitPlane() gave
 /// @param options only the threads and the progress function are used
-/// @throw Error   BadArgument, OutOfMemory, Aborted
+/// @throw Error   BadArgument, TooManyPoints, OutOfMemory, Aborted
 Buffer<double> positionsInPlane(
   const PointView& points, const FittedPlane& plane, const Options& options = Options());
 
@@ -92,7 +92,7 @@ std::array<double, 3> positionOf(const FittedPlane& plane, double x, double y);
 /// @param points  in space
 /// @param options only the threads and the progress function are used
 /// @return x and y of each; empty if all z are finite, so that x and y can be read in place
-/// @throw Error   BadArgument, OutOfMemory, Aborted
+/// @throw Error   BadArgument, TooManyPoints, OutOfMemory, Aborted
 Buffer<double> positionsInXY(const PointView& points, const Options& options = Options());
 
 /// Where the xy plane lies for what is drawn in it: at the lowest z of the points that are in the
