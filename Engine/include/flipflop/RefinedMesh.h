@@ -19,7 +19,8 @@ namespace flipflop
 /// A part of a mesh that has its own limit, or its own number.
 struct MeshRegion
 {
-  double x, y;         ///< a point in it, on no constraint
+  double x;            ///< of a point in it, on no constraint
+  double y;            ///< of the same
   double maxArea = 0;  ///< of its triangles; 0: as everywhere
   bool isHole = false; ///< leave it out
 };
