@@ -188,6 +188,25 @@ class TestEdit(unittest.TestCase):
         np.testing.assert_array_equal(edited.ids, [0, 2, 3])
         self.check(edited)
 
+    def test_from_a_result(self):
+        random = np.random.default_rng(11)
+        points = random.integers(0, 30, (60, 2)).astype(float)
+        points[7, 0] = np.nan
+        grid = [[x, y] for x in range(5) for y in range(5)]
+        for result in (
+            regular_triangulation(points, random.random(60), non_finite="ignore"),
+            regular_triangulation(grid, constraints=[[0, 24], [3, 9]], polygons=[[0, 4, 24, 20]]),
+        ):
+            edited = EditableTriangulation(result)
+            np.testing.assert_array_equal(edited.vertices, result.vertices)
+            np.testing.assert_array_equal(edited.hidden, result.hidden)
+            self.check(edited)
+            edited.insert(random.random((5, 2)) * 4)
+            self.check(edited)
+            with self.assertRaisesRegex(ValueError, "leave them out"):
+                EditableTriangulation(result, constraints=[[0, 1]])
+        self.assertEqual(len(edited.constraints), 6)
+
     def test_threads_wait(self):
         edited = EditableTriangulation(np.random.default_rng(9).random((100, 2)))
 

@@ -73,8 +73,9 @@ class EditableTriangulation:
 
     Parameters
     ----------
-    points : n by 2, or n by 3, optional
-        x and y count; by default there is no point
+    points : n by 2, or n by 3, or a RegularTriangulation, optional
+        x and y count; by default there is no point. Of a triangulation, the points with their ids, the weights, and the
+        constraints, sides of polygons among them, by their numbers.
     weights : n numbers, optional
         as for regular_triangulation(): with them, a point may be hidden until others are gone
     constraints : m by 2 ids, or a sequence of polylines, optional
@@ -91,7 +92,7 @@ class EditableTriangulation:
 
     def __init__(
         self,
-        points: ArrayLike | None = None,
+        points: ArrayLike | RegularTriangulation | None = None,
         weights: ArrayLike | None = None,
         *,
         constraints: Chains | None = None,
@@ -99,6 +100,12 @@ class EditableTriangulation:
         non_finite: NonFinite = "error",
         progress: Progress = None,
     ) -> None:
+        if isinstance(points, RegularTriangulation):
+            if weights is not None or constraints is not None:
+                raise ValueError("a triangulation has its weights and constraints: leave them out")
+            weights, constraints = points.weights, getattr(points, "constraints", None)
+            non_finite = "ignore" if points._ignores else non_finite
+            points = points._sites
         given = np.empty((0, 2)) if points is None else points
         array, weight_array, left_out = points_and_weights_of(given, weights, ignores(non_finite))
         chosen = settings(threads, "triangles", non_finite, "cpu", progress, left_out)
