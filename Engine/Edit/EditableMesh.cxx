@@ -263,8 +263,7 @@ std::uint32_t EditableMesh<Weighted>::inner(std::uint32_t t) const
   return apex < 0 ? t : triangleOf(this->triangles[t].twin[nextCorner(apex)]);
 }
 
-/// A visibility walk. Between fixed edges it might run in a circle, if it did not turn left first
-/// at times, and right at others.
+/// A visibility walk.
 /// @return NoIndex: it would take more steps
 template <bool Weighted>
 std::uint32_t EditableMesh<Weighted>::walk(
@@ -274,27 +273,13 @@ std::uint32_t EditableMesh<Weighted>::walk(
   std::uint32_t entered = NoIndex; // the half-edge that it came through
   for (std::uint32_t step = 0; step < mostSteps; ++step)
   {
-    const Triangle& triangle = this->triangles[t];
-    this->turns = this->turns * 1664525u + 1013904223u;
-    int e = static_cast<int>((this->turns >> 16) % 3);
-    const bool left = (this->turns >> 30 & 1) != 0;
-    std::uint32_t next = NoIndex;
-    for (int i = 0; i < 3 && next == NoIndex; ++i)
-    {
-      if (halfEdge(t, e) != entered &&
-        this->geometry.orient(
-          this->vertices[triangle.v[e]], this->vertices[triangle.v[nextCorner(e)]], p) < 0)
-      {
-        next = triangle.twin[e];
-      }
-      e = left ? nextCorner(e) : previousCorner(e);
-    }
-    if (next == NoIndex)
+    const std::uint32_t left = this->exitTowards(p, t, entered);
+    if (left == NoIndex)
     {
       return t;
     }
-    entered = next;
-    t = triangleOf(next);
+    entered = this->twin(left);
+    t = triangleOf(entered);
     if (this->isVirtual(t))
     {
       return t;

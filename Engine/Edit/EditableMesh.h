@@ -336,6 +336,28 @@ private:
   void freeTriangle(std::uint32_t t);
   void setVisible(std::uint32_t slot);
 
+  /// The half-edge of a triangle through which a visibility walk leaves it; NoIndex: it is there.
+  /// Between fixed edges a walk might run in a circle, if it did not turn left first at times, and
+  /// right at others.
+  /// @param entered the half-edge that it came through
+  std::uint32_t exitTowards(const Vertex& p, std::uint32_t t, std::uint32_t entered)
+  {
+    const std::uint32_t* const v = this->triangles[t].v;
+    this->turns = this->turns * 1664525u + 1013904223u;
+    int e = static_cast<int>((this->turns >> 16) % 3);
+    const bool left = (this->turns >> 30 & 1) != 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      if (halfEdge(t, e) != entered &&
+        this->geometry.orient(this->vertices[v[e]], this->vertices[v[nextCorner(e)]], p) < 0)
+      {
+        return halfEdge(t, e);
+      }
+      e = left ? nextCorner(e) : previousCorner(e);
+    }
+    return NoIndex;
+  }
+
   std::uint32_t walk(const Vertex& p, std::uint32_t t, std::uint32_t mostSteps);
   std::uint32_t inner(std::uint32_t t) const;
   std::uint32_t fixedTowards(std::uint32_t u, std::uint32_t v) const;

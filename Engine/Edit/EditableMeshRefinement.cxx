@@ -24,25 +24,13 @@ std::uint32_t EditableMesh<Weighted>::walkWithin(
   std::uint32_t entered = NoIndex;
   for (;;)
   {
-    const Triangle& triangle = this->triangles[t];
-    this->turns = this->turns * 1664525u + 1013904223u;
-    int e = static_cast<int>((this->turns >> 16) % 3);
-    std::uint32_t left = NoIndex; // the half-edge that it leaves through
-    for (int i = 0; i < 3 && left == NoIndex; ++i, e = nextCorner(e))
-    {
-      const std::uint32_t h = halfEdge(t, e);
-      left = h != entered &&
-          this->geometry.orient(
-            this->vertices[triangle.v[e]], this->vertices[triangle.v[nextCorner(e)]], p) < 0
-        ? h
-        : NoIndex;
-    }
-    for (e = 0; left == NoIndex && e < 3; ++e)
+    const std::uint32_t left = this->exitTowards(p, t, entered);
+    for (int e = 0; left == NoIndex && e < 3; ++e)
     {
       const std::uint32_t h = halfEdge(t, e);
       const bool isOn = this->isFixed(h) &&
         this->geometry.orient(
-          this->vertices[triangle.v[e]], this->vertices[triangle.v[nextCorner(e)]], p) == 0;
+          this->vertices[this->origin(h)], this->vertices[this->origin(nextHalfEdge(h))], p) == 0;
       blocked = isOn ? h : blocked;
     }
     if (left == NoIndex)
