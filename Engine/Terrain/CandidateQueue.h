@@ -91,8 +91,8 @@ private:
     return static_cast<std::uint32_t>(bitsOf(distance) >> this->keyShift);
   }
 
-  /// Move some candidates of the highest bucket to the heap: not much fewer than are there, so that
-  /// the work grows with their number.
+  /// Move the farthest of the highest bucket to the heap: an eighth of them or more, so that the
+  /// work grows with their number.
   template <class IsCurrent>
   bool refill(const IsCurrent& isCurrent)
   {
