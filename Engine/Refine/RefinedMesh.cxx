@@ -222,14 +222,15 @@ private:
   {
     for (std::int64_t i = 0; i < this->wanted.regionCount; ++i)
     {
-      const double given[3] = { this->wanted.regions[i].x, this->wanted.regions[i].y, 0 };
+      const double given[2] = { this->wanted.regions[i].x, this->wanted.regions[i].y };
       Vertex seed = { {}, NoIndex, 0 };
+      bool isInRange = true;
       for (int axis = 0; axis < 2; ++axis)
       {
         seed.x[axis] = std::ldexp(given[axis], this->source.scaleExponent(axis));
+        isInRange = isInRange && seed.x[axis] >= this->range.low[axis] &&
+          seed.x[axis] <= this->range.high[axis];
       }
-      const bool isInRange = given[0] >= this->lowest(0) && given[0] <= this->highest(0) &&
-        given[1] >= this->lowest(1) && given[1] <= this->highest(1);
       const std::uint32_t t = isInRange ? this->mesh->locate(seed) : 0;
       std::uint32_t blocked = NoIndex;
       if (!isInRange || this->regionOf[t] == 0 ||
@@ -249,23 +250,16 @@ private:
     }
   }
 
-  double lowest(int axis) const
-  {
-    return std::ldexp(this->range.low[axis], -this->source.scaleExponent(axis));
-  }
-  double highest(int axis) const
-  {
-    return std::ldexp(this->range.high[axis], -this->source.scaleExponent(axis));
-  }
-
   RefinementLimits limits() const
   {
     constexpr std::int64_t MostPoints = 10000000;
     const auto scaled = [this](double area)
     { return area > 0 ? std::ldexp(area, 2 * this->source.scaleExponent(0)) : HUGE_VAL; };
+    const std::int64_t idsLeft = std::int64_t(NoIndex) - 1 - this->source.count();
+    const std::int64_t wantedPoints =
+      this->wanted.maxPoints > 0 ? this->wanted.maxPoints : MostPoints;
     RefinementLimits result{ AngleBound(this->wanted.minAngle),
-      { HUGE_VAL, scaled(this->wanted.maxArea) },
-      this->wanted.maxPoints > 0 ? this->wanted.maxPoints : MostPoints };
+      { HUGE_VAL, scaled(this->wanted.maxArea) }, std::min(wantedPoints, idsLeft) };
     for (std::int64_t i = 0; i < this->wanted.regionCount; ++i)
     {
       const double own = this->wanted.regions[i].maxArea;

@@ -68,7 +68,7 @@ struct RefinedMesh : ConstrainedTriangulation
 ///
 /// Every triangle in it has the least angle, and at most the area, but for those at angles of less
 /// than 60 degrees between constraints, and near what was kept (keptSegments, keptTriangles).
-/// Decisions on angles and areas are conservative: a triangle that is called good is.
+/// Angles and areas are compared exactly; of the angle, the square of its cosine as a double.
 ///
 /// @param points      as for constrainedTriangulation(); finite
 /// @param constraints the same; crossing ones: see splitCrossings()
