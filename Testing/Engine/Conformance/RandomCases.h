@@ -8,6 +8,7 @@
 #ifndef flipflop_test_RandomCases_h
 #define flipflop_test_RandomCases_h
 
+#include "Testing/Engine/Conformance/Compare.h"
 #include "Testing/Engine/Conformance/Kind.h"
 
 #include <cstdint>
@@ -24,6 +25,37 @@ inline std::int64_t fromEnvironment(const char* name, std::int64_t otherwise)
 {
   const char* text = std::getenv(name);
   return text ? std::atoll(text) : otherwise;
+}
+
+/// As many cases as asked for, from the first seed on; stops at the third failure.
+/// @param draw     Case (Random&)
+/// @param faultOf  std::string (const Case&): empty if nothing is wrong. An Error is a fault, too
+/// @param describe std::string (const Case&)
+template <class Draw, class FaultOf, class Describe>
+void runSeeds(int cases, const Draw& draw, const FaultOf& faultOf, const Describe& describe)
+{
+  const std::int64_t first = fromEnvironment("FLIPFLOP_TEST_SEED", 0);
+  const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", effort(cases));
+  int failures = 0;
+  for (std::int64_t seed = first; seed < first + count && failures < 3; ++seed)
+  {
+    Random random(static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15u + 1);
+    const auto drawn = draw(random);
+    std::string fault;
+    try
+    {
+      fault = faultOf(drawn);
+    }
+    catch (const Error& error)
+    {
+      fault = error.what();
+    }
+    if (!fault.empty())
+    {
+      ++failures;
+      ADD_FAILURE() << "seed " << seed << ": " << fault << ", " << describe(drawn);
+    }
+  }
 }
 
 /// Stops at the third failure. All dimensions from 0 on must come up in many cases.

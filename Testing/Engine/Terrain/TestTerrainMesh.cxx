@@ -364,30 +364,12 @@ Terrain drawTerrain(Random& random)
 
 TEST(TerrainMeshes, AreThoseOfRationals)
 {
-  const std::int64_t first = fromEnvironment("FLIPFLOP_TEST_SEED", 0);
-  const std::int64_t count = fromEnvironment("FLIPFLOP_TEST_CASES", effort(FLIPFLOP_TERRAINS));
-  int failures = 0;
-  for (std::int64_t seed = first; seed < first + count && failures < 3; ++seed)
-  {
-    Random random(static_cast<std::uint64_t>(seed) * 0x9e3779b97f4a7c15u + 1);
-    const Terrain terrain = drawTerrain(random);
-    std::string fault;
-    try
+  runSeeds(FLIPFLOP_TERRAINS, drawTerrain, faultOf,
+    [](const Terrain& terrain)
     {
-      fault = faultOf(terrain);
-    }
-    catch (const Error& error)
-    {
-      fault = error.what();
-    }
-    if (!fault.empty())
-    {
-      ++failures;
-      ADD_FAILURE() << "seed " << seed << ": " << fault << ", tolerance " << terrain.tolerance
-                    << ", constraints " << textOf(terrain.breaklines) << "\n"
-                    << toString(terrain.cloud);
-    }
-  }
+      return "tolerance " + std::to_string(terrain.tolerance) + ", constraints " +
+        textOf(terrain.breaklines) + "\n" + toString(terrain.cloud);
+    });
 }
 
 // ---- Terrains that users have ------------------------------------------------------------------
