@@ -255,11 +255,11 @@ private:
     constexpr std::int64_t MostPoints = 10000000;
     const auto scaled = [this](double area)
     { return area > 0 ? std::ldexp(area, 2 * this->source.scaleExponent(0)) : HUGE_VAL; };
-    const std::int64_t idsLeft = std::int64_t(NoIndex) - 1 - this->source.count();
+    const std::int64_t remainingIds = std::int64_t(NoIndex) - 1 - this->source.count();
     const std::int64_t wantedPoints =
       this->wanted.maxPoints > 0 ? this->wanted.maxPoints : MostPoints;
     RefinementLimits result{ AngleBound(this->wanted.minAngle),
-      { HUGE_VAL, scaled(this->wanted.maxArea) }, std::min(wantedPoints, idsLeft) };
+      { HUGE_VAL, scaled(this->wanted.maxArea) }, std::min(wantedPoints, remainingIds) };
     for (std::int64_t i = 0; i < this->wanted.regionCount; ++i)
     {
       const double own = this->wanted.regions[i].maxArea;
