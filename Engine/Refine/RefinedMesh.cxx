@@ -9,6 +9,8 @@
 #include "Edit/EditableMesh.h"
 #include "Edit/MeshSnapshot.h"
 #include "Points/ConstraintInput.h"
+#include "Refine/AreaField.h"
+#include "Refine/InputShares.h"
 #include "Refine/Refinement.h"
 #include "Refine/SplitPoints.h"
 #include "Run/Run.h"
@@ -92,7 +94,8 @@ public:
     this->chooseArithmetic();
     this->buildMesh();
     this->findRegions();
-    const RefinementLimits limits = this->limits();
+    const AreaField areas(this->wanted, this->view, this->start, this->options);
+    const RefinementLimits limits = this->limits(areas);
     Refinement refinement(*this->mesh, std::move(this->regionOf), limits, *this->positions,
       this->source.count(), this->monitor);
     this->addSegments(refinement);
@@ -148,7 +151,10 @@ private:
     if (this->constraints.sides > 0)
     {
       std::vector<std::uint8_t> inside(static_cast<std::size_t>(this->start.cellCount()));
-      cellsInside(this->start, inside.data(), this->startOptions());
+      const std::int64_t* const features = this->wanted.featureOf;
+      features ? cellsInsideFeatures(this->start, this->view, this->constraints, features,
+                   inside.data(), this->startOptions())
+               : cellsInside(this->start, inside.data(), this->startOptions());
       std::copy(inside.begin(), inside.end(), this->regionOf.begin());
     }
     else if (!this->findEnclosed())
@@ -250,16 +256,18 @@ private:
     }
   }
 
-  RefinementLimits limits() const
+  RefinementLimits limits(const AreaField& areas) const
   {
     constexpr std::int64_t MostPoints = 10000000;
-    const auto scaled = [this](double area)
-    { return area > 0 ? std::ldexp(area, 2 * this->source.scaleExponent(0)) : HUGE_VAL; };
+    const int exponent = this->source.scaleExponent(0);
+    const auto scaled = [exponent](double area)
+    { return area > 0 ? std::ldexp(area, 2 * exponent) : HUGE_VAL; };
     const std::int64_t remainingIds = std::int64_t(NoIndex) - 1 - this->source.count();
     const std::int64_t wantedPoints =
       this->wanted.maxPoints > 0 ? this->wanted.maxPoints : MostPoints;
     RefinementLimits result{ AngleBound(this->wanted.minAngle),
-      { HUGE_VAL, scaled(this->wanted.maxArea) }, std::min(wantedPoints, remainingIds) };
+      { HUGE_VAL, scaled(this->wanted.maxArea) }, std::min(wantedPoints, remainingIds),
+      areas.isAnywhereTheSame() ? nullptr : &areas, exponent };
     for (std::int64_t i = 0; i < this->wanted.regionCount; ++i)
     {
       const double own = this->wanted.regions[i].maxArea;
@@ -311,6 +319,11 @@ private:
       const std::uint32_t constraint = segment == NoIndex ? NoIndex : this->constraintOf(segment);
       result.constraintOfPoint[i] =
         constraint == NoIndex ? -1 : static_cast<std::int64_t>(constraint);
+    }
+    if (this->wanted.findsShares)
+    {
+      result.shares = sharesInInput(this->view, this->start, refinement, *this->mesh,
+        this->newSlots, &result.points[2 * this->source.count()], this->options.threads);
     }
   }
 

@@ -58,6 +58,14 @@ void Refinement::run()
   {
     this->examine(t);
   }
+  do
+  {
+    this->divideAllBad();
+  } while (!this->isFull && this->findTooLarge());
+}
+
+void Refinement::divideAllBad()
+{
   BadTriangle worst;
   while (!this->isFull && this->bad.pop(worst))
   {
@@ -132,14 +140,72 @@ void Refinement::examine(std::uint32_t t)
   {
     return;
   }
-  const std::uint32_t* const v = this->mesh.triangle(t).v;
-  const ShapedTriangle shape(this->position(v[0]), this->position(v[1]), this->position(v[2]));
+  const ShapedTriangle shape = this->shapeOf(t);
   const bool isThin = shape.hasLess(this->limits.angle);
-  if ((isThin && !this->isBetweenSegments(shape, v)) ||
+  if ((isThin && !this->isBetweenSegments(shape, this->mesh.triangle(t).v)) ||
     shape.isLarger(this->limits.mostArea[this->regionOf[t]]))
   {
     this->bad.push({ t, this->stampOf[t] }, isThin ? shape.square[0] : HUGE_VAL);
   }
+  else if (this->limits.areas)
+  {
+    this->unmeasured.push_back({ t, this->stampOf[t] });
+  }
+}
+
+ShapedTriangle Refinement::shapeOf(std::uint32_t t) const
+{
+  const std::uint32_t* const v = this->mesh.triangle(t).v;
+  return { this->position(v[0]), this->position(v[1]), this->position(v[2]) };
+}
+
+/// Queue those that are larger than the field lets them be at their centroids.
+/// @return is there any?
+bool Refinement::findTooLarge()
+{
+  std::vector<BadTriangle> measured;
+  std::vector<double> centroids;
+  for (const BadTriangle& good : this->unmeasured)
+  {
+    if (this->stampOf[good.triangle] == good.stamp)
+    {
+      const std::uint32_t* const v = this->mesh.triangle(good.triangle).v;
+      measured.push_back(good);
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        const double sum =
+          this->position(v[0])[axis] + this->position(v[1])[axis] + this->position(v[2])[axis];
+        centroids.push_back(std::ldexp(sum / 3, -this->limits.exponent));
+      }
+    }
+  }
+  this->unmeasured.clear();
+  if (measured.empty())
+  {
+    return false;
+  }
+  std::vector<double> areas;
+  this->limits.areas->find(centroids, areas);
+  bool isAny = false;
+  for (std::size_t i = 0; i < measured.size(); ++i)
+  {
+    if (this->shapeOf(measured[i].triangle)
+          .isLarger(std::ldexp(areas[i], 2 * this->limits.exponent)))
+    {
+      this->bad.push(measured[i], HUGE_VAL);
+      isAny = true;
+    }
+  }
+  return isAny;
+}
+
+double Refinement::shareAlong(std::uint32_t slot, std::uint32_t (&ends)[2]) const
+{
+  const SegmentVertex& vertex = this->vertices[slot];
+  const Segment& segment = this->segments[vertex.segment];
+  ends[0] = segment.from;
+  ends[1] = segment.to;
+  return vertex.distance[0] / (vertex.distance[0] + vertex.distance[1]);
 }
 
 /// Is the shortest edge between two segments of the input, on one circle around their apex?
@@ -357,8 +423,7 @@ void Refinement::divideTriangle(const BadTriangle& worst)
     return;
   }
   const std::uint32_t t = worst.triangle;
-  const std::uint32_t* const v = this->mesh.triangle(t).v;
-  const ShapedTriangle shape(this->position(v[0]), this->position(v[1]), this->position(v[2]));
+  const ShapedTriangle shape = this->shapeOf(t);
   double x[2];
   shape.center(this->limits.angle, x);
   const Vertex point =

@@ -17,6 +17,7 @@
 #define flipflop_Refinement_h
 
 #include "Edit/EditableMesh.h"
+#include "Refine/AreaField.h"
 #include "Refine/BadTriangles.h"
 #include "Refine/SplitPoints.h"
 #include "Refine/TriangleQuality.h"
@@ -36,6 +37,8 @@ struct RefinementLimits
   AngleBound angle;
   std::vector<double> mostArea; ///< by region; infinite: any. Region 0 is outside of the mesh
   std::int64_t mostPoints;      ///< new ones
+  const AreaField* areas;       ///< by position; null: there are none
+  int exponent;                 ///< coordinates are the caller's by 2^this
 };
 
 class Refinement
@@ -58,6 +61,9 @@ public:
 
   /// Of a new vertex, or NoIndex.
   std::uint32_t segmentOf(std::uint32_t slot) const { return this->vertices[slot].segment; }
+
+  /// Of a new vertex in a segment: the segment's ends, and the share of the second one.
+  double shareAlong(std::uint32_t slot, std::uint32_t (&ends)[2]) const;
 
   /// use (from, to, number) for each part of a segment.
   template <class Use>
@@ -120,6 +126,9 @@ private:
   void queueIfEncroached(std::uint32_t h);
   void examine(std::uint32_t t);
   bool isBetweenSegments(const ShapedTriangle& shape, const std::uint32_t* corner) const;
+  ShapedTriangle shapeOf(std::uint32_t t) const;
+  void divideAllBad();
+  bool findTooLarge();
 
   void divideSegments();
   bool divide(const Candidate& candidate);
@@ -148,6 +157,7 @@ private:
   std::vector<Candidate> waiting;                ///< of segments
   std::size_t next = 0;                          ///< of these
   BadTriangles bad;
+  std::vector<BadTriangle> unmeasured; ///< good ones, whose area is to be compared with the field
   std::int64_t inserted = 0;
   std::int64_t segmentsLeft = 0;
   std::int64_t trianglesLeft = 0;

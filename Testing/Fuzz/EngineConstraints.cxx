@@ -239,6 +239,18 @@ void refine(Trial& trial, Bytes& bytes, const PointView& points, const Constrain
   refinement.minAngle = bytes.below(35);
   refinement.maxArea = bytes.oneOf(2) ? std::ldexp(1 + bytes.below(5), bytes.below(24) - 12) : 0;
   refinement.maxPoints = 1 + bytes.below(250);
+  refinement.findsShares = bytes.oneOf(2);
+  const double least = std::ldexp(1.0, -bytes.below(20));
+  if (bytes.oneOf(3))
+  {
+    refinement.areaAt = [least](const double* positions, std::int64_t count, double* areas)
+    {
+      for (std::int64_t i = 0; i < count; ++i)
+      {
+        areas[i] = least + std::fabs(positions[2 * i]);
+      }
+    };
+  }
   const auto mesh = trial.run(-1, { ErrorCode::NonFinite, ErrorCode::BadArgument },
     [&](const Options& options) { return refinedMesh(points, constraints, refinement, options); });
   if (!mesh.result)

@@ -9,10 +9,17 @@
 #include <flipflop/RefinedMesh.h>
 
 #include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/tuple.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -24,6 +31,9 @@ namespace flipflop
 
 namespace
 {
+
+using Doubles = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+using Pixels = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 
 /// Rows of x, y, an area, and whether it is a hole.
 std::vector<MeshRegion> regionsOf(const InputArray& rows)
@@ -60,17 +70,70 @@ void keepInside(RefinedMesh& mesh)
   mesh.region = std::move(region);
 }
 
+/// What @p function, of positions, returns: an area for each.
+void findAreas(
+  const nb::object& function, const double* positions, std::int64_t count, double* areas)
+{
+  const nb::gil_scoped_acquire held;
+  const auto rows = static_cast<std::size_t>(count);
+  Buffer<double> copy(2 * rows);
+  std::copy_n(positions, copy.size(), copy.data());
+  const nb::object given = function(arrayOf(std::move(copy), { rows, std::size_t(2) }));
+  const auto found = nb::cast<Doubles>(given);
+  if (found.size() != rows)
+  {
+    throw nb::type_error("an area is wanted for each position");
+  }
+  std::copy_n(found.data(), rows, areas);
+}
+
 /// By name what RefinedMesh has, ids for indices.
-/// @param regions doubles, n by 4
+/// @param features  for each side of a polygon what it is of: their union is inside
+/// @param limits    the least angle, the greatest area, the most points
+/// @param regions   doubles, n by 4
+/// @param areas     of each point
+/// @param pixels    areas, of rows of pixels
+/// @param placement of pixels: origin and spacing, by x and y
+/// @param areaAt    a function of positions, or None
 nb::dict meshOf(const InputArray& points, const EndsArray& ends, std::int64_t sides,
-  bool byDirection, double minAngle, double maxArea, const InputArray& regions,
-  std::int64_t maxPoints, const Settings& settings)
+  bool byDirection, const std::optional<IdArray>& features,
+  const std::tuple<double, double, std::int64_t>& limits, const InputArray& regions,
+  const std::optional<Doubles>& areas, const std::optional<Pixels>& pixels,
+  const std::array<double, 4>& placement, const nb::object& areaAt, const Settings& settings)
 {
   const PointView positions = pointView(points, 2);
   const ConstraintView constraints(ends.data(), static_cast<std::int64_t>(ends.shape(0)), sides);
   const std::vector<MeshRegion> parts = regionsOf(regions);
-  const RefinementOptions refinement{ minAngle, maxArea, parts.data(),
-    static_cast<std::int64_t>(parts.size()), maxPoints };
+  RefinementOptions refinement;
+  std::tie(refinement.minAngle, refinement.maxArea, refinement.maxPoints) = limits;
+  refinement.regions = parts.data();
+  refinement.regionCount = static_cast<std::int64_t>(parts.size());
+  refinement.findsShares = true;
+  if (features && static_cast<std::int64_t>(features->size()) != sides)
+  {
+    throw nb::type_error("a feature is wanted for each side");
+  }
+  refinement.featureOf = features ? features->data() : nullptr;
+  if (areas && static_cast<std::int64_t>(areas->size()) != positions.count)
+  {
+    throw nb::type_error("an area is wanted for each point");
+  }
+  refinement.areaOfPoint = areas ? areas->data() : nullptr;
+  if (pixels)
+  {
+    refinement.areaOfPixel = pixels->data();
+    for (std::size_t axis = 0; axis < 2; ++axis)
+    {
+      refinement.areaGrid.origin[axis] = placement[axis];
+      refinement.areaGrid.spacing[axis] = placement[2 + axis];
+      refinement.areaGrid.size[axis] = static_cast<std::int64_t>(pixels->shape(1 - axis));
+    }
+  }
+  if (!areaAt.is_none())
+  {
+    refinement.areaAt = [&areaAt](const double* at, std::int64_t count, double* found)
+    { findAreas(areaAt, at, count, found); };
+  }
   RefinedMesh mesh = settings.run(
     [&](Options options)
     {
@@ -89,6 +152,8 @@ nb::dict meshOf(const InputArray& points, const EndsArray& ends, std::int64_t si
   found["kept_segments"] = mesh.keptSegments;
   found["kept_triangles"] = mesh.keptTriangles;
   found["statistics"] = dictOf(mesh.statistics);
+  found["_shares"] = nb::make_tuple(arrayOf(std::move(mesh.shares.offsets)),
+    arrayOf(std::move(mesh.shares.ids)), arrayOf(std::move(mesh.shares.shares)));
   keepInside(mesh);
   const std::size_t cells = mesh.region.size();
   found["region_of"] = arrayOf(std::move(mesh.region));
@@ -103,7 +168,8 @@ nb::dict meshOf(const InputArray& points, const EndsArray& ends, std::int64_t si
 void bindRefine(nb::module_& module)
 {
   module.def("refined_mesh", &meshOf, "points"_a, "constraints"_a, "sides"_a, "by_direction"_a,
-    "minimum_angle"_a, "maximum_area"_a, "regions"_a, "maximum_points"_a, "settings"_a);
+    "features"_a.none(), "limits"_a, "regions"_a, "areas"_a.none(), "pixels"_a.none(),
+    "placement"_a, "area_at"_a.none(), "settings"_a);
 }
 
 }

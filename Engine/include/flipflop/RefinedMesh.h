@@ -10,8 +10,10 @@
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/Options.h>
 #include <flipflop/PointView.h>
+#include <flipflop/TriangulationQueries.h>
 
 #include <cstdint>
+#include <functional>
 
 namespace flipflop
 {
@@ -31,10 +33,29 @@ struct RefinementOptions
   /// The least angle of a triangle, in degrees: 0 to 34. Up to 20.7 the refinement is proven to end
   /// with no smaller angle but at small angles of the input; to about 30 it does in practice.
   double minAngle = 25;
-  double maxArea = 0;                  ///< of a triangle; 0: any
+  double maxArea = 0; ///< of a triangle; 0: any
+
+  ///@{
+  /// Greatest areas that change with the position; of several, and of the region's, the least
+  /// counts. Each is above 0, or infinite: any. A triangle has that at its centroid: one found so
+  /// late that a large triangle jumps over it does not count.
+  /// - of each point of the input; between them, linear over the triangles of the input
+  /// - of each pixel of an image, by rows (ImageGrid); bilinear between these
+  /// - by a function of the caller's: for x and y of so many positions, it writes the area at each.
+  ///   It is called about twenty times, with many at once, and may throw.
+  const double* areaOfPoint = nullptr;
+  const double* areaOfPixel = nullptr;
+  ImageGrid areaGrid;
+  std::function<void(const double* positions, std::int64_t count, double* areas)> areaAt;
+  ///@}
+
   const MeshRegion* regions = nullptr; ///< each in a part of its own that constraints enclose
   std::int64_t regionCount = 0;        ///< how many
   std::int64_t maxPoints = 0;          ///< insert no more; 0: ten million
+  /// For each side of a polygon its feature, as cellsInsideFeatures() takes them: their union is
+  /// inside. Null: Options::polygons tells what is.
+  const std::int64_t* featureOf = nullptr;
+  bool findsShares = false; ///< RefinedMesh::shares
 };
 
 /// The constrained Delaunay triangulation of the input's points and the new ones, bit for bit what
@@ -56,14 +77,18 @@ struct RefinedMesh : ConstrainedTriangulation
   /// its region, from 1 on.
   Buffer<std::int64_t> region;
 
+  /// For each new point the points of the input, and their shares, that a value there is made of:
+  /// on a constraint linear along it, inside over a triangle of the input. Empty unless asked for.
+  SiteShares shares;
+
   std::int64_t newPoints = 0;     ///< how many
   std::int64_t keptSegments = 0;  ///< parts of constraints that are too short to be divided
   std::int64_t keptTriangles = 0; ///< bad triangles whose center is too near to a vertex
   bool isComplete = true;         ///< false: maxPoints ended it
 };
 
-/// A mesh by Delaunay refinement. It covers what is inside of the polygons (Options::polygons);
-/// without polygons, what the constraints enclose; where they enclose nothing, the convex hull.
+/// A mesh by Delaunay refinement. It covers what is inside of the polygons; without polygons, what
+/// the constraints enclose; where they enclose nothing, the convex hull.
 /// Constraints inside are edges of it.
 ///
 /// Every triangle in it has the least angle, and at most the area, but for those at angles of less
@@ -75,8 +100,9 @@ struct RefinedMesh : ConstrainedTriangulation
 /// @param refinement  see RefinementOptions
 /// @param options     see Options; facets do not count
 /// @return            the mesh, the same for any number of threads
-/// @throw Error       BadArgument (an angle, an area or a number out of range; a region's point
-///                    outside of the mesh or on a constraint, two in one part: index: it;
+/// @throw Error       BadArgument (an angle, an area or a number out of range; of a point, a pixel
+///                    or a position: index: it; a region's point outside of the mesh or on a
+///                    constraint, two in one part: index: it;
 ///                    coordinates that are not 0, and smaller than the greatest by more than about
 ///                    60 orders of magnitude),
 ///                    ConstraintPoint, ConstraintsCross, PolygonsDisagree, NonFinite,
