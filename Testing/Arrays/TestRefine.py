@@ -6,7 +6,7 @@ import unittest
 import warnings
 
 import numpy as np
-from vtkflipflop.arrays import InputError, refined_mesh, regular_triangulation
+from vtkflipflop.arrays import Image, InputError, refined_mesh, regular_triangulation
 
 SQUARE = [[0.0, 0], [1, 0], [1, 1], [0, 1]]
 RING = [[0, 1, 2, 3]]
@@ -75,7 +75,70 @@ class TestRefine(unittest.TestCase):
         self.check(mesh, 28)
         self.assertAlmostEqual(mesh.areas.sum(), 12, delta=1e-12)
 
+    def test_overlapping_polygons(self):
+        """Their union is meshed."""
+        squares = [_polygon([[x, x], [x + 2, x], [x + 2, x + 2], [x, x + 2]]) for x in (0, 1)]
+        mesh = refined_mesh([], lines=squares)
+        self.check(mesh, 25)
+        self.assertAlmostEqual(mesh.areas.sum(), 7, delta=1e-12)
+
+    def check_areas(self, mesh, limit):
+        shares = mesh.areas / limit(mesh.points[mesh.simplices].mean(axis=1))
+        self.assertLessEqual(shares.max(), 1 + 1e-9)
+        self.assertGreater(shares.max(), 0.8)
+
+    def test_areas_by_position(self):
+        calls = []
+
+        def near_origin(positions):
+            calls.append(len(positions))
+            return 1e-4 + 0.05 * np.hypot(*positions.T)
+
+        self.check_areas(refined_mesh(SQUARE, polygons=RING, maximum_area=near_origin), near_origin)
+        self.assertLess(len(calls), 40)
+
+        def linear(positions):
+            return 0.002 + positions @ [0.01, 0.02]
+
+        self.check_areas(refined_mesh(SQUARE, polygons=RING, maximum_area=linear(np.array(SQUARE))), linear)
+        empty = Image(np.zeros((8, 5)), (0.25, 0, 0, 0, -0.25, 1.5))
+        pixels = Image(linear(np.stack(np.meshgrid(empty.x, empty.y), axis=2)) + 0.01, empty.transform)
+        mesh = refined_mesh(SQUARE, polygons=RING, maximum_area=pixels)
+        # West of the first centers it is as there.
+        self.check_areas(mesh, lambda p: linear(np.maximum(p, [empty.x[0], 0])) + 0.01)
+
+    def test_regions_of_polygons(self):
+        whole, part = _polygon([[0, 0], [4, 0], [4, 4], [0, 4]]), _polygon([[1, 1], [5, 1], [5, 3], [1, 3]])
+        corner = _polygon([[0, 0], [0.5, 0], [0, 0.5]])
+        mesh = refined_mesh([], lines=whole, regions=[(part, 0.01), [0.1, 3.9, 0.1], corner], maximum_area=0.5)
+        self.check(mesh, 25)
+        x, y = mesh.points[mesh.simplices].mean(axis=1).T
+        in_part, in_corner = (x > 1) & (y > 1) & (y < 3), x + y < 0.5
+        np.testing.assert_array_equal(mesh.region_of, np.where(in_part, 0, np.where(in_corner, 2, 1)))
+        for region, most, area in ((0, 0.01, 6), (1, 0.1, 16 - 6 - 0.125), (2, 0.5, 0.125)):
+            inside = mesh.region_of == region
+            self.assertAlmostEqual(mesh.areas[inside].sum(), area, delta=1e-12)
+            self.assertLessEqual(mesh.areas[inside].max(), most)
+
+    def test_values_at_points(self):
+        points = np.array([*SQUARE, [0.3, 0.6]])
+        mesh = refined_mesh(points, polygons=RING, maximum_area=0.01)
+        self.assertIsNone(mesh.heights)
+        values = points @ [[1, 2], [3, -4]]
+        np.testing.assert_allclose(mesh.values_at_points(values), mesh.points @ [[1, 2], [3, -4]], rtol=0, atol=1e-15)
+        found = mesh.values_at_points(np.eye(5)[4])
+        self.assertEqual((found.shape, found.min(), found.max()), ((len(mesh.points),), 0, 1))
+        self.assertEqual(found[5:][mesh.constraint_of_point >= 0].max(), 0)
+        high = refined_mesh(np.column_stack([points, values[:, 0]]), polygons=RING, maximum_area=0.01)
+        np.testing.assert_array_equal(high.heights, mesh.values_at_points(values[:, 0]))
+        polygon = _polygon([[0, 0, 1], [2, 0, 2], [0, 2, 3]])
+        of_lines = refined_mesh([], lines=polygon, maximum_area=0.1)
+        np.testing.assert_allclose(of_lines.heights, 1 + of_lines.points @ [0.5, 1], rtol=0, atol=1e-15)
+
     def test_bad_input(self):
+        def failing(positions):
+            raise KeyError("mine")
+
         for wrong, error, sentence in (
             (dict(minimum_angle=35), InputError, "from 0 to 34 degrees"),
             (dict(minimum_angle="a"), TypeError, "minimum_angle is a number"),
@@ -85,11 +148,26 @@ class TestRefine(unittest.TestCase):
             (dict(regions=[[2, 2]]), InputError, "inside of the mesh, on no constraint: at index 0"),
             (dict(holes=[[0.5, 0.5], [0.5, 0.2]]), InputError, "two regions must not be in one part.*: at index 1"),
             (dict(regions=[1, 2]), ValueError, "regions are rows of 2 or 3 numbers"),
+            (dict(regions=[(_polygon(SQUARE), 1)]), ValueError, "regions that are polygons go with lines"),
+            (dict(regions=[(_polygon(SQUARE), -1)]), ValueError, r"the area of regions\[0\] is above 0"),
+            (dict(regions=[{"type": "LineString", "coordinates": SQUARE}]), TypeError, r"regions\[0\] is no polygon"),
+            (dict(maximum_area=[1, 1]), ValueError, "values are 4 numbers"),
+            (dict(maximum_area=[1, 1, 0, 1]), InputError, "areas of points must be above 0.*: at index 2"),
+            (dict(maximum_area=lambda p: np.ones(3)), ValueError, r"maximum_area gives 2 numbers, not .* \(3,\)"),
+            (dict(maximum_area=lambda p: p[:, 0] - 2), InputError, r"maximum_area gives -.* at \(0.*areas are above 0"),
+            (dict(maximum_area=failing), KeyError, "mine"),
+            (dict(maximum_area=Image(np.zeros((1, 1)), (1, 0, 0, 0, -1, 0))), InputError, "areas of pixels"),
+            (dict(maximum_area=Image(np.zeros(3), (1, 0, 0, 0, -1, 0))), ValueError, "has rows and columns"),
             (dict(constraints=[[0, 9]]), InputError, "constraint 0"),
             (dict(lines=[]), ValueError, "not both"),
         ):
-            with self.subTest(**wrong), self.assertRaisesRegex(error, sentence):
+            with self.subTest(**wrong), self.assertRaisesRegex(error, sentence), warnings.catch_warnings():
+                warnings.simplefilter("ignore")
                 refined_mesh(SQUARE, polygons=RING, **wrong)
+        with self.assertRaisesRegex(ValueError, "maximum_area is no array: lines add points"):
+            refined_mesh(SQUARE, lines=[], maximum_area=[1, 1, 1, 1])
+        with self.assertWarnsRegex(UserWarning, "above 30 degrees"):
+            refined_mesh(SQUARE, polygons=RING, minimum_angle=33)
         with self.assertWarnsRegex(UserWarning, "maximum_points ended"):
             mesh = refined_mesh(SQUARE, polygons=RING, maximum_area=1e-4, maximum_points=50)
         self.assertFalse(mesh.is_complete)
@@ -104,6 +182,10 @@ class TestRefine(unittest.TestCase):
         for coarse, fine in zip(errors, errors[1:]):
             self.assertGreater(coarse / fine, 2.5)
         self.assertLess(errors[-1], 1e-3)
+
+
+def _polygon(ring):
+    return {"type": "Polygon", "coordinates": [[*ring, ring[0]]]}
 
 
 def _poisson_error(mesh):

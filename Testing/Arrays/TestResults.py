@@ -69,6 +69,7 @@ QUESTIONS = {
     "locate": lambda self: self.locate(PLANE),
     "interpolate": lambda self: self.interpolate(np.arange(self.npoints), PLANE),
     "alpha_complex": lambda self: self.alpha_complex(0.1).simplices,
+    "values_at_points": lambda self: self.values_at_points(np.arange(len(self.points) - self.new_points)),
     "validate": lambda self: self.validate(),
 }
 

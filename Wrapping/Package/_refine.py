@@ -11,11 +11,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._areas import AreaFunction, PolygonRegion, limits_of, regions_of, with_sides
 from ._arguments import float_of, most_of
 from ._constraints import Chains, Constraints, PolygonRule, SplitConstraints
 from ._errors import InputError, warn_caller
 from ._geometries import lines_of
-from ._input import doubles_of, whole_points_of
+from ._image import Image
+from ._input import values_of, whole_points_of
 from ._lines import joined_triangulation
 from ._results import Floats, Frozen, Ids, Progress, edges_of, frozen, named, report_of, settings, stretch
 
@@ -27,6 +29,8 @@ class RefinedMesh(Frozen):
     ----------
     points : ndarray of n by 2
         those given, those that lines add, then the new ones
+    heights : ndarray or None
+        of these points, where those given have three coordinates; of new ones as by values_at_points()
     new_points : int
         how many are new
     simplices : ndarray of m by 3
@@ -51,6 +55,7 @@ class RefinedMesh(Frozen):
     """
 
     points: Floats
+    heights: Floats | None
     new_points: int
     simplices: Ids
     region_of: Ids
@@ -64,6 +69,7 @@ class RefinedMesh(Frozen):
     dimension: int
     statistics: dict[str, float]
     _across: Ids
+    _shares: tuple[Ids, Ids, Floats]
     _call: ClassVar[str] = "refined_mesh(points)"
 
     @cached_property
@@ -75,6 +81,24 @@ class RefinedMesh(Frozen):
     def edges(self) -> Ids:
         """The edges of `simplices`, each once, as ids, the lower one first; in lexicographic order."""
         return edges_of(self.simplices)
+
+    def values_at_points(self, values: ArrayLike) -> Floats:
+        """Values at all points, given those at the points that are not new.
+
+        On a constraint they are linear between the ends of it, inside over the triangles of the points that are not
+        new.
+
+        Parameters
+        ----------
+        values : array of one row or number a point
+            of the len(points) - new_points first points
+        """
+        given = values_of(values, len(self.points) - self.new_points)
+        offsets, ids, shares = self._shares
+        columns = given.reshape(len(given), int(np.prod(given.shape[1:])))
+        parts = columns[ids] * shares[:, None]
+        new = np.add.reduceat(parts, offsets[:-1], axis=0) if self.new_points else parts[:0]
+        return frozen(np.concatenate([columns, new]).reshape((len(self.points), *given.shape[1:])))
 
     @cached_property
     def areas(self) -> Floats:
@@ -106,8 +130,8 @@ def refined_mesh(
     polygons: Chains | None = None,
     lines: Any = None,
     minimum_angle: float = 25.0,
-    maximum_area: float | None = None,
-    regions: ArrayLike | None = None,
+    maximum_area: float | ArrayLike | Image | AreaFunction | None = None,
+    regions: Any = None,
     holes: ArrayLike | None = None,
     maximum_points: int | None = None,
     polygon_rule: PolygonRule = "even-odd",
@@ -132,11 +156,15 @@ def refined_mesh(
         instead, polygons and lines with points of their own, also of shapely, as constrained_triangulation() takes
         them; they may cross
     minimum_angle : float
-        in degrees, from 0 to 34. Up to 20.7 the refinement is proven to end, to 30 it does in practice.
-    maximum_area : float, optional
-        of a triangle; by default any
-    regions : r by 2, or r by 3, optional
-        a point in each part of the mesh, which constraints enclose; and the greatest area there, 0 for maximum_area
+        in degrees, from 0 to 34. Up to 20.7 the refinement is proven to end, to 30 it does in practice; above there is
+        a warning, as maximum_points may end it.
+    maximum_area : number, or an array of n, or an Image, or a function, optional
+        of a triangle; by default any. Of several numbers, that at its centroid: linear between the points, without
+        lines; bilinear between the centers of pixels; or what a function gives: called about twenty times, each time
+        with an array of k by 2, it returns k areas. They are above 0, or infinite: any.
+    regions : r by 2, or r by 3, or a list, optional
+        a point in each part of the mesh, which constraints enclose; and the greatest area there, 0 for maximum_area.
+        In a list, with lines, also polygons, or polygons and areas: (polygon, area). Their sides become constraints.
     holes : h by 2, optional
         a point in each part that is to be left out
     maximum_points : int, optional
@@ -150,10 +178,15 @@ def refined_mesh(
         as regular_triangulation(); or a row of regions, then of holes, that is outside the mesh, on a constraint, or in
         the part of another
     """
-    parts = _parts_of(regions, holes)
-    least, most = float_of("minimum_angle", minimum_angle), _area_of(maximum_area)
-    limits = least, most, parts, most_of("maximum_points", maximum_points)
+    parts = regions_of(regions, holes)
+    least, most_points = float_of("minimum_angle", minimum_angle), most_of("maximum_points", maximum_points)
     array = whole_points_of(points)
+    areas = limits_of(maximum_area, parts.polygons, len(array) if lines is None else None)
+    if parts.polygons and lines is None:
+        raise ValueError("regions that are polygons go with lines")
+    pixels, placement = areas.of_pixels or (None, (0.0, 0.0, 1.0, 1.0))
+    if least > 30:
+        warn_caller("minimum_angle is above 30 degrees: the refinement may go on until maximum_points ends it")
     with report_of(progress) as report:
 
         def part(begin: float, end: float) -> Any:
@@ -163,59 +196,51 @@ def refined_mesh(
         if lines is not None:
             if constraints is not None or polygons is not None:
                 raise ValueError("segments are constraints and polygons, or lines, not both")
-            joined = joined_triangulation(
-                array, lines_of(lines, False, "error"), polygon_rule, False, lambda a, b: part(0.3 * a, 0.3 * b)
-            )
+            chains = with_sides(lines_of(lines, False, "error"), parts.polygons)
+            joined = joined_triangulation(array, chains, polygon_rule, False, lambda a, b: part(0.3 * a, 0.3 * b))
             array, begin = joined.points, 0.3
             ends, sides, by_direction = joined.constraints, joined._sides, joined._by_direction
+            is_union = chains.features is not None and not by_direction
+            features = np.ascontiguousarray(joined.geometry_of[len(ends) - sides :]) if is_union else None
             given = None
         else:
             given = Constraints(constraints, polygons, polygon_rule)
-            ends, sides, by_direction = given.ends, given.sides, given.by_direction
+            ends, sides, by_direction, features = given.ends, given.sides, given.by_direction, None
         try:
-            found = _core.refined_mesh(array, ends, sides, by_direction, *limits, part(begin, 1.0))
+            found = _core.refined_mesh(
+                array,
+                ends,
+                sides,
+                by_direction,
+                features,
+                (least, areas.everywhere, most_points),
+                parts.rows,
+                areas.of_points,
+                pixels,
+                placement,
+                areas.at,
+                part(begin, 1.0),
+            )
         except InputError as error:
             raise (error if given is None else given.of_error(error)) from None
     if not found["is_complete"]:
         warn_caller("maximum_points ended the refinement: some triangles are still thin, or too large")
-    region, count = found.pop("region_of"), np.count_nonzero(parts[:, 3] == 0)
     found["statistics"] = named(found["statistics"])
-    return RefinedMesh._of(
-        new_points=len(found["points"]) - len(array),
-        region_of=frozen(np.where((region > 0) & (region <= count), region - 1, -1)),
-        constraints=ends,
-        **found,
-    )
+    found["region_of"] = _numbered(np.append(-1, parts.numbers)[found["region_of"]], parts.polygons, found)
+    mesh = RefinedMesh._of(new_points=len(found["points"]) - len(array), constraints=ends, heights=None, **found)
+    if array.shape[1] == 3:
+        mesh.__dict__["heights"] = mesh.values_at_points(array[:, 2])
+    return mesh
+
+
+def _numbered(region_of: Ids, polygons: list[PolygonRegion], found: dict[str, Any]) -> Ids:
+    """The regions of triangles, those that are polygons among them: of several, the first."""
+    centroids = found["points"][found["simplices"]].mean(axis=1)
+    for polygon in reversed(polygons):
+        held = polygon.holds(centroids)
+        region_of[held & ((region_of < 0) | (region_of > polygon.number))] = polygon.number
+    return frozen(region_of)
 
 
 def _cross(u: NDArray[Any], v: NDArray[Any]) -> NDArray[Any]:
     return u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
-
-
-def _rows_of(what: str, values: ArrayLike | None, columns: tuple[int, ...]) -> NDArray[np.float64]:
-    array = doubles_of([] if values is None else values, what)
-    if array.size == 0:
-        return np.empty((0, columns[0]))
-    if array.ndim != 2 or array.shape[1] not in columns:
-        wanted = " or ".join(map(str, columns))
-        raise ValueError(f"{what} are rows of {wanted} numbers, not an array of shape {array.shape}")
-    return array
-
-
-def _parts_of(regions: ArrayLike | None, holes: ArrayLike | None) -> NDArray[np.float64]:
-    """Rows of x, y, an area, and whether it is a hole: regions, then holes."""
-    inside, outside = _rows_of("regions", regions, (2, 3)), _rows_of("holes", holes, (2,))
-    parts = np.zeros((len(inside) + len(outside), 4))
-    parts[: len(inside), : inside.shape[1]] = inside
-    parts[len(inside) :, :2] = outside
-    parts[len(inside) :, 3] = 1
-    return parts
-
-
-def _area_of(area: float | None) -> float:
-    if area is None:
-        return 0.0
-    number = float_of("maximum_area", area)
-    if not number > 0:
-        raise ValueError(f"maximum_area is above 0, or None, not {area!r}")
-    return number

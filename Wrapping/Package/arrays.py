@@ -37,6 +37,7 @@ from ._constraints import SplitConstraints, split_crossings
 from ._edit import EditableTriangulation
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
 from ._hull import ConvexHull, Diameter, OrientedBox, Side, convex_hull, convexify
+from ._image import Image
 from ._las import LasPoints, read_las
 from ._lines import JoinedTriangulation, constrained_triangulation
 from ._power_diagram import PowerDiagram
@@ -58,6 +59,7 @@ __all__ = [
     "EditableTriangulation",
     "FlipFlopError",
     "HullBatch",
+    "Image",
     "InputError",
     "JoinedTriangulation",
     "LasPoints",
