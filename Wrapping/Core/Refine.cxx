@@ -48,28 +48,6 @@ std::vector<MeshRegion> regionsOf(const InputArray& rows)
   return regions;
 }
 
-/// Leave out the cells that are outside of the mesh.
-void keepInside(RefinedMesh& mesh)
-{
-  Buffer<std::int64_t>& corners = mesh.connectivity;
-  std::size_t count = 0;
-  for (std::size_t cell = 0; cell < mesh.region.size(); ++cell)
-  {
-    if (mesh.region[cell] >= 0)
-    {
-      mesh.region[count] = mesh.region[cell];
-      std::copy_n(corners.data() + 3 * cell, 3, corners.data() + 3 * count);
-      ++count;
-    }
-  }
-  Buffer<std::int64_t> inside(3 * count);
-  Buffer<std::int64_t> region(count);
-  std::copy_n(corners.data(), 3 * count, inside.data());
-  std::copy_n(mesh.region.data(), count, region.data());
-  corners = std::move(inside);
-  mesh.region = std::move(region);
-}
-
 /// What @p function, of positions, returns: an area for each.
 void findAreas(
   const nb::object& function, const double* positions, std::int64_t count, double* areas)
@@ -146,8 +124,6 @@ nb::dict meshOf(const InputArray& points, const EndsArray& ends, std::int64_t si
     arrayOf(idsOf(mesh, mesh.fixedEdges), { mesh.constraintOf.size(), std::size_t(2) });
   found["constraint_of"] = arrayOf(std::move(mesh.constraintOf));
   found["constraint_of_point"] = arrayOf(std::move(mesh.constraintOfPoint));
-  const std::size_t count = mesh.points.size() / 2;
-  found["points"] = arrayOf(std::move(mesh.points), { count, std::size_t(2) });
   found["is_complete"] = mesh.isComplete;
   found["kept_segments"] = mesh.keptSegments;
   found["kept_triangles"] = mesh.keptTriangles;
@@ -156,10 +132,20 @@ nb::dict meshOf(const InputArray& points, const EndsArray& ends, std::int64_t si
     arrayOf(std::move(mesh.shares.ids)), arrayOf(std::move(mesh.shares.shares)));
   keepInside(mesh);
   const std::size_t cells = mesh.region.size();
+  Buffer<double> sizes(cells);
+  Buffer<double> angles(cells);
+  if (cells > 0)
+  {
+    measureTriangles(mesh, sizes.data(), angles.data());
+  }
+  found["areas"] = arrayOf(std::move(sizes));
+  found["angles"] = arrayOf(std::move(angles));
   found["region_of"] = arrayOf(std::move(mesh.region));
   found["simplices"] = arrayOf(idsOf(mesh, mesh.connectivity), { cells, std::size_t(3) });
   found["_across"] =
     arrayOf(cells > 0 ? cellNeighbors(mesh) : Buffer<std::int64_t>(0), { cells, std::size_t(3) });
+  const std::size_t count = mesh.points.size() / 2;
+  found["points"] = arrayOf(std::move(mesh.points), { count, std::size_t(2) });
   return found;
 }
 

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _core
 from ._areas import AreaFunction, PolygonRegion, limits_of, regions_of, with_sides
@@ -35,6 +35,8 @@ class RefinedMesh(Frozen):
         how many are new
     simplices : ndarray of m by 3
         the triangles in the mesh, as ids, counter-clockwise
+    areas, angles : ndarray
+        of each triangle the area, and the least angle in degrees; rounded
     region_of : ndarray
         for each triangle the row of regions that it is in, -1 if it is in none
     segments : ndarray of k by 2
@@ -58,6 +60,8 @@ class RefinedMesh(Frozen):
     heights: Floats | None
     new_points: int
     simplices: Ids
+    areas: Floats
+    angles: Floats
     region_of: Ids
     segments: Ids
     constraint_of: Ids
@@ -96,25 +100,8 @@ class RefinedMesh(Frozen):
         given = values_of(values, len(self.points) - self.new_points)
         offsets, ids, shares = self._shares
         columns = given.reshape(len(given), int(np.prod(given.shape[1:])))
-        parts = columns[ids] * shares[:, None]
-        new = np.add.reduceat(parts, offsets[:-1], axis=0) if self.new_points else parts[:0]
+        new = sums_of(columns[ids] * shares[:, None], offsets)
         return frozen(np.concatenate([columns, new]).reshape((len(self.points), *given.shape[1:])))
-
-    @cached_property
-    def areas(self) -> Floats:
-        """The area of each of `simplices`, rounded."""
-        a, b, c = (self.points[self.simplices[:, i]] for i in range(3))
-        return frozen(0.5 * _cross(b - a, c - a))
-
-    @cached_property
-    def angles(self) -> Floats:
-        """The least angle of each of `simplices`, in degrees, rounded."""
-        corners = [self.points[self.simplices[:, i]] for i in range(3)]
-        least = np.full(len(self.simplices), np.inf)
-        for i in range(3):
-            u, v = corners[(i + 1) % 3] - corners[i], corners[(i + 2) % 3] - corners[i]
-            least = np.minimum(least, np.arctan2(_cross(u, v), (u * v).sum(axis=1)))
-        return frozen(np.degrees(least))
 
     def __len__(self) -> int:
         return len(self.simplices)
@@ -233,6 +220,15 @@ def refined_mesh(
     return mesh
 
 
+def sums_of(rows: Floats, offsets: Ids) -> Floats:
+    """Of one row or more each, from first to last."""
+    sums, counts = rows[offsets[:-1]], np.diff(offsets)
+    for i in range(1, counts.max(initial=0)):
+        more = counts > i
+        sums[more] += rows[offsets[:-1][more] + i]
+    return sums
+
+
 def _numbered(region_of: Ids, polygons: list[PolygonRegion], found: dict[str, Any]) -> Ids:
     """The regions of triangles, those that are polygons among them: of several, the first."""
     centroids = found["points"][found["simplices"]].mean(axis=1)
@@ -240,7 +236,3 @@ def _numbered(region_of: Ids, polygons: list[PolygonRegion], found: dict[str, An
         held = polygon.holds(centroids)
         region_of[held & ((region_of < 0) | (region_of > polygon.number))] = polygon.number
     return frozen(region_of)
-
-
-def _cross(u: NDArray[Any], v: NDArray[Any]) -> NDArray[Any]:
-    return u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]

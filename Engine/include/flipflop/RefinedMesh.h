@@ -110,6 +110,16 @@ struct RefinedMesh : ConstrainedTriangulation
 RefinedMesh refinedMesh(const PointView& points, const ConstraintView& constraints,
   const RefinementOptions& refinement, const Options& options = Options());
 
+/// Leave out the cells that are outside of the mesh.
+/// @throw Error OutOfMemory
+void keepInside(RefinedMesh& mesh);
+
+/// What the triangles of a mesh are like, rounded.
+/// @param areas  receives the area of each cell
+/// @param angles receives its least angle, in degrees
+/// @throw Error  BadArgument (no array; cells that are no triangles)
+void measureTriangles(const RefinedMesh& mesh, double* areas, double* angles);
+
 }
 
 #endif
