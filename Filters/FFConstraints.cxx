@@ -14,9 +14,11 @@
 #include <flipflop/Error.h>
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -36,11 +38,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-
-std::string describe(vtkIdType cell)
-{
-  return "cell " + std::to_string(cell) + " of the source";
-}
 
 /// With as few digits as tell it.
 std::string toText(double number)
@@ -75,19 +72,6 @@ bool isSame(vtkPointSet* a, vtkPointSet* b, vtkIdType point, int dimensions)
     [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }
 
-/// These points after those given. The run gets the id -1 for each.
-vtkSmartPointer<vtkPointSet> append(vtkPointSet* given, vtkPointSet* created, FFRun& run)
-{
-  const auto count = static_cast<std::size_t>(given->GetNumberOfPoints());
-  if (!run.Ids)
-  {
-    run.Ids.emplace(count);
-    std::iota(run.Ids->begin(), run.Ids->end(), vtkIdType(0));
-  }
-  run.Ids->resize(count + static_cast<std::size_t>(created->GetNumberOfPoints()), -1);
-  return FFOutput::Append({ given, created });
-}
-
 /// How far q is on the way from a to b, which is not 0: rounded, from 0 to 1.
 double shareOf(const double* a, const double* b, const double* q)
 {
@@ -108,10 +92,11 @@ FFConstraints::FFConstraints(const SettingsType& settings, vtkPolyData* source, 
   , Input(input)
   , Given(given)
 {
-  FFInput::CheckPoints(source, " of the source");
+  FFInput::CheckPoints(source, std::string(" of the ") + settings.Owner);
   for (vtkCellArray* cells : { source->GetLines(), source->GetPolys() })
   {
-    const std::string fault = FFSurfaceCells::DescribeOffsets(cells, "source's cells");
+    const std::string fault =
+      FFSurfaceCells::DescribeOffsets(cells, std::string(settings.Owner) + "'s cells");
     if (!fault.empty())
     {
       throw std::runtime_error(fault);
@@ -220,7 +205,7 @@ std::int64_t FFConstraints::GetId(vtkIdType point, vtkIdType cell) const
   const vtkIdType count = this->Input->GetNumberOfPoints();
   if (point < 0 || point >= count)
   {
-    throw std::runtime_error("Point " + std::to_string(point) + " of " + describe(cell) +
+    throw std::runtime_error("Point " + std::to_string(point) + " of " + this->Describe(cell) +
       " is not there: its ids are those of the input's points, of which there are " +
       std::to_string(count) + ".");
   }
@@ -232,7 +217,7 @@ std::int64_t FFConstraints::GetId(vtkIdType point, vtkIdType cell) const
   const auto at = std::lower_bound(this->Given->begin(), this->Given->end(), point);
   if (at == this->Given->end() || *at != point)
   {
-    throw std::runtime_error("Point " + std::to_string(point) + " of " + describe(cell) +
+    throw std::runtime_error("Point " + std::to_string(point) + " of " + this->Describe(cell) +
       " is a ghost point, which is left out. Turn off Skip Ghost Points, or take the cell away.");
   }
   return at - this->Given->begin();
@@ -244,7 +229,7 @@ void FFConstraints::CheckOwnPoint(vtkIdType point, vtkIdType cell) const
   const vtkIdType own = this->Source->GetNumberOfPoints();
   if (point < 0 || point >= own)
   {
-    throw std::runtime_error("Point " + std::to_string(point) + " of " + describe(cell) +
+    throw std::runtime_error("Point " + std::to_string(point) + " of " + this->Describe(cell) +
       " is not there: the source has " + std::to_string(own) + " point(s).");
   }
 }
@@ -260,7 +245,7 @@ void FFConstraints::CheckPoint(vtkIdType point, vtkIdType cell) const
   this->CheckOwnPoint(point, cell);
   if (!isSame(this->Source, this->Input, point, this->Settings.Dimensions))
   {
-    throw std::runtime_error("Point " + std::to_string(point) + " of " + describe(cell) +
+    throw std::runtime_error("Point " + std::to_string(point) + " of " + this->Describe(cell) +
       " is at " + positionOf(this->Source, point) + ", and point " + std::to_string(point) +
       " of the input is at " + positionOf(this->Input, point) +
       ". The source's cells name points of the input by id, so at these ids its " +
@@ -290,7 +275,7 @@ vtkSmartPointer<vtkPointSet> FFConstraints::AppendJoinedPoints(vtkPointSet* give
   {
     return given;
   }
-  return append(given, FFOutput::SelectLike(given, this->Source, added), run);
+  return Append(given, FFOutput::SelectLike(given, this->Source, added), run);
 }
 
 //------------------------------------------------------------------------------
@@ -343,8 +328,48 @@ std::vector<vtkSmartPointer<vtkDataArray>> FFConstraints::MarkPoints(
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkPointSet> FFConstraints::Append(
+  vtkPointSet* given, vtkPointSet* created, FFRun& run)
+{
+  const auto count = static_cast<std::size_t>(given->GetNumberOfPoints());
+  if (!run.Ids)
+  {
+    run.Ids.emplace(count);
+    std::iota(run.Ids->begin(), run.Ids->end(), vtkIdType(0));
+  }
+  run.Ids->resize(count + static_cast<std::size_t>(created->GetNumberOfPoints()), -1);
+  return FFOutput::Append({ given, created });
+}
+
+//------------------------------------------------------------------------------
+void FFConstraints::WriteEdges(const flipflop::ConstrainedTriangulation& triangulation,
+  vtkPolyData* cells, vtkPolyData* output) const
+{
+  flipflop::CellComplex edges;
+  edges.dimension = 1;
+  edges.cellSize = 2;
+  edges.connectivity.allocate(triangulation.fixedEdges.size());
+  std::copy(
+    triangulation.fixedEdges.begin(), triangulation.fixedEdges.end(), edges.connectivity.begin());
+  output->SetPoints(cells->GetPoints());
+  output->GetPointData()->ShallowCopy(cells->GetPointData());
+  FFOutput::AdoptCells(edges, output);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("ConstraintCellIds");
+  for (const std::int64_t constraint : triangulation.constraintOf)
+  {
+    ids->InsertNextValue(this->GetCellId(constraint));
+  }
+  output->GetCellData()->AddArray(ids);
+}
+
+//------------------------------------------------------------------------------
 vtkIdType FFConstraints::GetCellId(std::int64_t constraint) const
 {
+  if (constraint < 0)
+  {
+    return -1;
+  }
   const auto i = static_cast<std::size_t>(constraint);
   return this->CellIds[this->Pieces ? static_cast<std::size_t>(this->Pieces->constraintOf[i]) : i];
 }
@@ -403,7 +428,7 @@ vtkSmartPointer<vtkPointSet> FFConstraints::AppendNewPoints(
     points->SetPoint(k, x);
     created->GetPointData()->InterpolateEdge(given->GetPointData(), k, a, b, share);
   }
-  return append(given, created, run);
+  return Append(given, created, run);
 }
 
 //------------------------------------------------------------------------------
@@ -459,11 +484,17 @@ vtkPolyData* FFConstraints::SourceOf(vtkInformationVector** inputVector, const F
 }
 
 //------------------------------------------------------------------------------
+std::string FFConstraints::Describe(vtkIdType cell) const
+{
+  return "cell " + std::to_string(cell) + " of the " + this->Settings.Owner;
+}
+
+//------------------------------------------------------------------------------
 // What goes wrong with constraints, in words that name their cells; empty for other errors.
 std::string FFConstraints::Describe(const flipflop::Error& error, const FFRun& run) const
 {
   const auto cellOf = [&](std::int64_t constraint)
-  { return describe(this->GetCellId(constraint)); };
+  { return this->Describe(this->GetCellId(constraint)); };
   switch (error.code())
   {
     case flipflop::ErrorCode::ConstraintPoint:

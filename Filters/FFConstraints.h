@@ -54,6 +54,7 @@ public:
     bool ClosedLinesAsBorders = false;
     bool HasSourcePoints = false; ///< the filter has that setting
     bool CanSplit = false;        ///< and the one to split constraints
+    const char* Owner = "source"; ///< how errors name what has the cells
   };
 
   /**
@@ -148,8 +149,16 @@ public:
   std::vector<vtkSmartPointer<vtkDataArray>> MarkPoints(
     const flipflop::Buffer<std::int64_t>& ids) const;
 
-  /// The cell of the source that a constraint of the view is of.
+  /// The cell of the source that a constraint of the view is of; -1: it is none.
   vtkIdType GetCellId(std::int64_t constraint) const;
+
+  /// The edges that are fixed become an output, with the points of that of the cells, and the array
+  /// ConstraintCellIds.
+  void WriteEdges(const flipflop::ConstrainedTriangulation& triangulation, vtkPolyData* cells,
+    vtkPolyData* output) const;
+
+  /// These points after those given. The run gets the id -1 for each.
+  static vtkSmartPointer<vtkPointSet> Append(vtkPointSet* given, vtkPointSet* created, FFRun& run);
 
   /**
    * Do what the constraints, if there are some, may be at fault in: then the error is in words that
@@ -183,6 +192,7 @@ private:
   void CheckOwnPoint(vtkIdType point, vtkIdType cell) const;
   void CheckPoint(vtkIdType point, vtkIdType cell) const;
   std::string Describe(const flipflop::Error& error, const FFRun& run) const;
+  std::string Describe(vtkIdType cell) const;
   flipflop::ConstraintView GetWhole() const
   {
     return { this->Ends.data(), static_cast<std::int64_t>(this->CellIds.size()), this->Sides };

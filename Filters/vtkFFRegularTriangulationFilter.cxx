@@ -13,12 +13,9 @@
 #include <flipflop/EdgeLengths.h>
 #include <flipflop/Engines.h>
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -144,28 +141,6 @@ flipflop::ConstrainedTriangulation triangulate(vtkFFRegularTriangulationFilter* 
   return triangulation;
 }
 
-/// The edges that are fixed, and the cells that fix them.
-void writeFixedEdges(const flipflop::ConstrainedTriangulation& triangulation,
-  const FFConstraints& constraints, vtkPolyData* cells, vtkPolyData* output)
-{
-  flipflop::CellComplex edges;
-  edges.dimension = 1;
-  edges.cellSize = 2;
-  edges.connectivity.allocate(triangulation.fixedEdges.size());
-  std::copy(
-    triangulation.fixedEdges.begin(), triangulation.fixedEdges.end(), edges.connectivity.begin());
-  output->SetPoints(cells->GetPoints());
-  output->GetPointData()->ShallowCopy(cells->GetPointData());
-  FFOutput::AdoptCells(edges, output);
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("ConstraintCellIds");
-  for (const std::int64_t constraint : triangulation.constraintOf)
-  {
-    ids->InsertNextValue(constraints.GetCellId(constraint));
-  }
-  output->GetCellData()->AddArray(ids);
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -225,7 +200,7 @@ void vtkFFRegularTriangulationFilter::Execute(vtkDataObject* data,
     {
       output->GetPointData()->AddArray(array);
     }
-    writeFixedEdges(triangulation, *constraints, output, resultOf(3));
+    constraints->WriteEdges(triangulation, output, resultOf(3));
   }
   input.Report(triangulation, hidden, dropped, output);
   if (constraints && this->ReportAsFieldData)

@@ -34,6 +34,8 @@ struct vtkFFReport
   double GreatestError = 0.0;
   vtkIdType NumberOfPointsBeyond = 0;
   vtkIdType NumberOfUnreachablePoints = 0;
+  vtkIdType NumberOfKeptSegments = 0;
+  vtkIdType NumberOfKeptTriangles = 0;
 
   /**
    * Sums and greatest values. The reason is that of the last one whose engine was used.
@@ -54,7 +56,8 @@ struct vtkFFReport
            &vtkFFReport::NumberOfNonFinitePoints, &vtkFFReport::NumberOfHiddenPoints,
            &vtkFFReport::NumberOfDroppedCells, &vtkFFReport::NumberOfSplitPoints,
            &vtkFFReport::NumberOfAddedPoints, &vtkFFReport::NumberOfHeightDifferences,
-           &vtkFFReport::NumberOfPointsBeyond, &vtkFFReport::NumberOfUnreachablePoints })
+           &vtkFFReport::NumberOfPointsBeyond, &vtkFFReport::NumberOfUnreachablePoints,
+           &vtkFFReport::NumberOfKeptSegments, &vtkFFReport::NumberOfKeptTriangles })
     {
       this->*number += other.*number;
     }

@@ -54,6 +54,10 @@ SETTINGS = {
         "Tolerance": NUMBERS, "MaximumNumberOfVertices": [0, 4, 20], "SourcePoints": [0, 1, 2],
         "SplitCrossingConstraints": [0, 1],
     },
+    "vtkFFMeshFilter": {
+        "MinimumAngle": [0.0, 20.0, 30.0, 40.0], "MaximumArea": [0.001, *NUMBERS],
+        "SplitCrossingConstraints": [0, 1], "PolygonRule": [0, 1], "ClosedLinesAsBorders": [0, 1],
+    },
     "vtkFFConvexifyFilter": {"KernelPoint": [(0.5, 0.5, 0.5), (5.0, 0.0, 0.0), (np.nan, 0.0, 0.0)]},
     "vtkFFSelectEnclosedPoints": {
         "GenerateDistances": [0, 1], "InsideOut": [0, 1], "SelectPointsOnSurface": [0, 1],
@@ -71,7 +75,7 @@ SETTINGS = {
 FIGURES = ["Dimension", "EngineUsed", "EngineReason", "ErrorCode", "Volume", "Area", "GreatestError"] + [
     f"NumberOf{what}"
     for what in ("InputPoints", "NonFinitePoints", "HiddenPoints", "DroppedCells", "SplitPoints", "AddedPoints",
-                 "HeightDifferences", "PointsBeyond", "UnreachablePoints")
+                 "HeightDifferences", "PointsBeyond", "UnreachablePoints", "KeptSegments", "KeptTriangles")
 ]  # fmt: skip
 # What the report has of the work and the machine.
 OF_THE_WORK = ("FlipFlopSeconds", "FlipFlopThreads")
@@ -94,9 +98,11 @@ class Made:
         choices = {**{flag: [0, 1] for flag in FLAGS if hasattr(kind, f"Set{flag}")}, **SETTINGS[name]}
         found = [("SetEngine", engine) for engine in ENGINE if hasattr(kind, "SetEngine")]
         found += [(f"Set{key}", self.one_of(values)) for key, values in choices.items() if self.chance(0.25)]
-        if ("WeightMode" in choices or "Tolerance" in choices) and self.chance(0.4):
+        if ("WeightMode" in choices or "Tolerance" in choices or "MinimumAngle" in choices) and self.chance(0.4):
             array = self.one_of(["w", "w", "w", "a0", "None", "", "missing", 0])
             found.append(("SetInputArrayToProcess", 0, 0, 0, self.one_of([0, 0, 0, 1]), array))
+        if "MinimumAngle" in choices:
+            found.append(("SetMaximumNumberOfPoints", self.one_of([10, 50, 2000])))
         if "ProjectionPlaneMode" in choices and self.chance(0.2):
             transform = self.one_of([vtkTransform, vtkGeneralTransform, vtkPerspectiveTransform])()
             transform.RotateX(30.0)
@@ -225,6 +231,21 @@ class Made:
             source.SetPoints(points)
             count = source.GetNumberOfPoints()
             self.with_data(source)
+        self.add_cells(source, count)
+        return source
+
+    def drawing(self):
+        """A data set, most often with lines and polygons of its points."""
+        data = self.data()
+        if data.IsA("vtkUnstructuredGrid") and self.chance(0.8):
+            points, data = data, vtkPolyData()
+            data.SetPoints(points.GetPoints())
+            data.GetPointData().ShallowCopy(points.GetPointData())
+        if data.IsA("vtkPolyData"):
+            self.add_cells(data, data.GetNumberOfPoints())
+        return data
+
+    def add_cells(self, source, count):
         for add, least in ((source.SetLines, 1), (source.SetPolys, 3)):
             cells = vtkCellArray()
             for _ in range(self.random.integers(4) if count else 0):
@@ -233,7 +254,6 @@ class Made:
                     ids[0] = self.one_of([-1, count])
                 cells.InsertNextCell(len(ids), ids)
             add(cells)
-        return source
 
 
 def content(array):
@@ -325,6 +345,9 @@ class TestBothKinds(unittest.TestCase):
 
     def test_terrain_meshes(self):
         self.compare("vtkFFTerrainMeshFilter", Made.source, 0.4)
+
+    def test_meshes(self):
+        self.compare("vtkFFMeshFilter", lambda made, _: made.data_set(), 0.1, Made.drawing)
 
     def test_enclosed_points(self):
         self.compare("vtkFFSelectEnclosedPoints", lambda made, _: made.data_set())

@@ -8,6 +8,7 @@ from ._filters import vtkFFAlgorithm as vtkFFAlgorithm
 from ._filters import vtkFFConvexifyFilter as vtkFFConvexifyFilter
 from ._filters import vtkFFHullAlgorithm as vtkFFHullAlgorithm
 from ._filters import vtkFFHullFilter as vtkFFHullFilter
+from ._filters import vtkFFMeshFilter as vtkFFMeshFilter
 from ._filters import vtkFFPlanarAlgorithm as vtkFFPlanarAlgorithm
 from ._filters import vtkFFPointInterpolator2D as vtkFFPointInterpolator2D
 from ._filters import vtkFFPointsToImage as vtkFFPointsToImage

@@ -62,6 +62,8 @@ class Report:
     GreatestError: float = 0.0
     NumberOfPointsBeyond: int = 0
     NumberOfUnreachablePoints: int = 0
+    NumberOfKeptSegments: int = 0
+    NumberOfKeptTriangles: int = 0
 
     def add(self, other: Report) -> None:
         if 0 <= other.EngineUsed >= self.EngineUsed:

@@ -4,6 +4,7 @@
 
 from ._filters_hull import vtkFFAlgorithm, vtkFFConvexifyFilter, vtkFFHullAlgorithm, vtkFFHullFilter
 from ._filters_image import vtkFFPointsToImage
+from ._filters_mesh import vtkFFMeshFilter
 from ._filters_plane import vtkFFPlanarAlgorithm, vtkFFPowerDiagramFilter, vtkFFRegularTriangulationFilter
 from ._filters_queries import vtkFFPointInterpolator2D, vtkFFQueryAlgorithm, vtkFFSelectEnclosedPoints
 from ._filters_terrain import vtkFFTerrainMeshFilter
@@ -13,6 +14,7 @@ __all__ = [
     "vtkFFConvexifyFilter",
     "vtkFFHullAlgorithm",
     "vtkFFHullFilter",
+    "vtkFFMeshFilter",
     "vtkFFPlanarAlgorithm",
     "vtkFFPointInterpolator2D",
     "vtkFFPointsToImage",

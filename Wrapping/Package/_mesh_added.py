@@ -11,10 +11,12 @@ from numpy.typing import NDArray
 
 from . import _vtkmodules as vtk
 from ._meshes import Cloud, block_of, gathered, like_of
+from ._refine import sums_of
 from ._results import Floats, Ids
 
 _IDS = "vtkOriginalPointIds"
 _vtkPointData = vtk.module("vtkCommonDataModel").vtkPointData
+_vtkIdList = vtk.module("vtkCommonCore").vtkIdList
 _FLOATS = ("float", "double")
 
 
@@ -49,6 +51,33 @@ def with_crossings(given: Any, positions: Floats, ends: Ids, shares: Floats) -> 
     return _appended(given, created)
 
 
+def with_interpolated(given: Any, positions: Floats, offsets: Ids, ids: Ids, shares: Floats) -> Any:
+    """The mesh with more points, each of shares of others: so is their data."""
+    created = vtk.vtkPolyData()
+    created.SetPoints(vtk.points_of(positions))
+    own = _vtkPointData()
+    own.ShallowCopy(given.GetPointData())
+    own.RemoveArray(_IDS)
+    data = created.GetPointData()
+    data.InterpolateAllocate(own, len(positions))
+    arrays = [data.GetAbstractArray(i) for i in range(data.GetNumberOfArrays())]
+    row = _vtkIdList()
+    for array in arrays:
+        source = own.GetAbstractArray(array.GetName()) if array.GetName() else _unnamed_of(own)
+        if array.GetDataTypeAsString() in _FLOATS:
+            values = vtk.values_of(source)
+            columns = values.reshape(len(values), -1)[ids].astype(np.float64) * shares[:, None]
+            sums = sums_of(columns, offsets).astype(values.dtype)
+            array.DeepCopy(vtk.array_of(sums.reshape(len(sums), *values.shape[1:]), array.GetName()))
+            continue
+        for i, (begin, end) in enumerate(zip(offsets[:-1].tolist(), offsets[1:].tolist())):
+            row.Reset()
+            for other in ids[begin:end].tolist():
+                row.InsertNextId(other)
+            array.InterpolateTuple(i, row, source, shares[begin:end].tolist())
+    return _appended(given, created)
+
+
 def shares_of(at: Floats, a: Floats, b: Floats) -> Floats:
     """How far positions in the plane are on the ways from others to others, from 0 to 1; rounded."""
     # By halves, which do not overflow; where they lose bits, so does the share.
@@ -70,6 +99,12 @@ def pass_empty_data(given: Any, to: Any) -> None:
 def ids_of_points(mesh: Any) -> NDArray[np.int64]:
     """The caller's ids; -1 of points that were added."""
     return np.asarray(vtk.values_of(mesh.GetPointData().GetAbstractArray(_IDS)), np.int64)
+
+
+def _unnamed_of(data: Any) -> Any:
+    """The array without a name: data has one such at most."""
+    arrays = (data.GetAbstractArray(i) for i in range(data.GetNumberOfArrays()))
+    return next(array for array in arrays if not array.GetName())
 
 
 def _filled(array: Any, same: Any, rows: Ids) -> Any:

@@ -38,6 +38,8 @@ class SourceRule:
         whether closed lines are polygons
     has_setting, can_split : bool
         whether the algorithm has settings for whose points these are, and for splits; errors name them then
+    owner : str
+        how errors name what has the cells
     """
 
     points: int
@@ -45,6 +47,7 @@ class SourceRule:
     closed_as_borders: bool
     has_setting: bool = True
     can_split: bool = True
+    owner: str = "source"
 
 
 @dataclass
@@ -56,8 +59,8 @@ class _Chains:
     numbers: Ids
 
     @classmethod
-    def of(cls, cells: Any, first: int) -> _Chains:
-        offsets, ids = corners_of(cells, "the source's cells")
+    def of(cls, cells: Any, first: int, owner: str) -> _Chains:
+        offsets, ids = corners_of(cells, f"the {owner}'s cells")
         return cls(offsets, ids, first + np.arange(len(offsets) - 1))
 
     @property
@@ -92,11 +95,11 @@ class Source:
 
     def __init__(self, mesh: Any, cloud: Cloud, rule: SourceRule, settings: Any) -> None:
         self._cloud, self._rule = cloud, rule
-        self._own = rows_of_points(mesh, "the source")
+        self._own = rows_of_points(mesh, f"the {rule.owner}")
         self._kept = cloud.ids(np.arange(len(cloud.array)))
         first = mesh.GetNumberOfVerts()
-        lines = _Chains.of(mesh.GetLines(), first)
-        polygons = _Chains.of(mesh.GetPolys(), first + len(lines.numbers))
+        lines = _Chains.of(mesh.GetLines(), first, rule.owner)
+        polygons = _Chains.of(mesh.GetPolys(), first + len(lines.numbers), rule.owner)
         corners = np.concatenate([lines.ids, polygons.ids])
         self.is_own = rule.points == _OWN or rule.points == _AUTOMATIC and self._are_own(corners)
         signs = np.zeros(len(lines.numbers), np.int8)
@@ -165,7 +168,7 @@ class Source:
                 fault |= ~np.isin(ids, self._kept)
         if fault.any():
             first = int(fault.argmax())
-            raise InputError(self._fault_of(int(ids[first]), _name_of(int(cells[first]))), "bad_argument")
+            raise InputError(self._fault_of(int(ids[first]), self._name_of(int(cells[first]))), "bad_argument")
 
     def _fault_of(self, point: int, cell: str) -> str:
         own, count = len(self._own), self._cloud.count
@@ -189,9 +192,12 @@ class Source:
             "cell away."
         )
 
+    def _name_of(self, cell: int) -> str:
+        return f"cell {cell} of the {self._rule.owner}"
+
     def _sentence_of(self, error: FlipFlopError, piece_of: Ids | None) -> str:
         def cell(row: int) -> str:
-            return _name_of(int(self.cell_of[row if piece_of is None else piece_of[row]]))
+            return self._name_of(int(self.cell_of[row if piece_of is None else piece_of[row]]))
 
         if error.code == "constraint_point":
             point = error.count if self.is_own else int(self._kept[error.count])
@@ -233,10 +239,6 @@ def of_source() -> Iterator[None]:
 
 def _offsets_of(sizes: Ids) -> Ids:
     return np.concatenate([np.zeros(1, np.int64), np.cumsum(sizes)])
-
-
-def _name_of(cell: int) -> str:
-    return f"cell {cell} of the source"
 
 
 def _words_of(point: NDArray[Any]) -> str:
