@@ -25,6 +25,7 @@ LABELS = {
     "FlipFlopPointInterpolator2D": "Interpolator 2D (Flip-Flop)",
     "FlipFlopPointsToImage": "Points To Image (Flip-Flop)",
     "FlipFlopTerrainMesh": "Terrain Mesh (Flip-Flop)",
+    "FlipFlopMesh": "Mesh 2D (Flip-Flop)",
 }
 PROXIES = {**dict.fromkeys(LABELS, "filters"), "FlipFlopStreamedWriter": "writers"}
 # What somebody may search for, and a filter whose short help has it. ParaView 5.11 searches labels alone.
@@ -32,6 +33,7 @@ SEARCHED = {
     "raster": "FlipFlopPointsToImage",
     "natural": "FlipFlopPointInterpolator2D",
     "lidar": "FlipFlopTerrainMesh",
+    "finite elements": "FlipFlopMesh",
     "power diagram": "FlipFlopPowerDiagram",
     "enclosed": "FlipFlopSelectEnclosedPoints",
     **dict.fromkeys(["regular", "weighted delaunay", "weights", "alpha shape", "breaklines"], "FlipFlopDelaunay"),
@@ -47,9 +49,10 @@ PORTS = {
     "FlipFlopPointInterpolator2D": ["Points"],
     "FlipFlopPointsToImage": ["Image"],
     "FlipFlopTerrainMesh": ["Mesh", "Other Points"],
+    "FlipFlopMesh": ["Mesh", "Fixed Edges"],
 }
 # Properties that the classes have no Get for: arrays, and the box, which has the bounds of the points.
-WITHOUT_GET = {"Weights", "Heights", "PowerDiagramCorner", "PowerDiagramLengths"}
+WITHOUT_GET = {"Weights", "Heights", "Sizes", "PowerDiagramCorner", "PowerDiagramLengths"}
 # Those of either engine.
 ENGINES = {"FlipFlopConvexHull", "FlipFlopDelaunay", "FlipFlopPowerDiagram", "FlipFlopPointsToImage"}
 MOST_BASIC = 10  # properties that a panel shows, whatever is set and without its gear
@@ -190,7 +193,8 @@ class TestProxies(unittest.TestCase):
     def source(self, name, **settings):
         if name in SECOND:
             settings[SECOND[name]] = simple.Sphere(Radius=2)
-        return function(name)(Input=run(simple.Sphere()), **settings)
+        flat = name == "FlipFlopMesh"  # the sides of polygons on a sphere cross in the plane
+        return function(name)(Input=run(simple.Plane() if flat else simple.Sphere()), **settings)
 
     def test_defaults(self):
         """They are the classes' own."""

@@ -265,6 +265,21 @@ class TestPlane(unittest.TestCase):
         self.assertEqual(np.count_nonzero(origins == 1), 2)
         self.assertEqual(fetch(mesh).GetFieldData().GetArray("FlipFlopAddedPoints").GetTuple1(0), 2)
 
+    def test_mesh(self):
+        square = simple.Plane(XResolution=1, YResolution=1)
+        mesh = run(simple.Mesh2DFlipFlop(Input=square, MinimumAngle=30.0, MaximumArea=0.01, ReportAsFieldData=1))
+        found = fetch(mesh).GetCellData()
+        self.assertGreaterEqual(array(found, "MinimumAngle").min(), 30.0 - 1e-9)
+        self.assertLessEqual(array(found, "Area").max(), 0.01)
+        self.assertEqual(set(array(found, "Region")), {-1})
+        self.assertEqual(mesh.FieldData["FlipFlopAddedPoints"].GetRange()[0], report(mesh).GetNumberOfAddedPoints())
+        edges = fetch(mesh, 1)
+        self.assertEqual(set(array(edges.GetCellData(), "ConstraintCellIds")), {0})
+        mesh.Source = cloud([[0.1, 0.1, 0.0]], MaximumArea=np.array([0.001]))
+        found = fetch(run(mesh)).GetCellData()
+        self.assertLessEqual(array(found, "Area").max(), 0.001)
+        self.assertEqual(set(array(found, "Region")), {0})
+
     def test_points_to_image(self):
         survey = real("sainthelens")
         image = run(simple.PointsToImageFlipFlop(Input=survey))
