@@ -275,7 +275,7 @@ class TestPlane(unittest.TestCase):
         self.assertEqual(mesh.FieldData["FlipFlopAddedPoints"].GetRange()[0], report(mesh).GetNumberOfAddedPoints())
         edges = fetch(mesh, 1)
         self.assertEqual(set(array(edges.GetCellData(), "ConstraintCellIds")), {0})
-        mesh.Source = cloud([[0.1, 0.1, 0.0]], MaximumArea=np.array([0.001]))
+        mesh.Regions = cloud([[0.1, 0.1, 0.0]], MaximumArea=np.array([0.001]))
         found = fetch(run(mesh)).GetCellData()
         self.assertLessEqual(array(found, "Area").max(), 0.001)
         self.assertEqual(set(array(found, "Region")), {0})

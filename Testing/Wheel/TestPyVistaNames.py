@@ -17,17 +17,18 @@ from vtkflipflop.pyvista import (
     convexify,
     power_diagram,
     prescribed_areas,
+    refined_mesh,
     regular_triangulation,
     terrain_mesh,
 )
 
 FUNCTIONS = (
     convex_hull, convexify, regular_triangulation, constrained_triangulation, power_diagram, centroidal_cells,
-    prescribed_areas, terrain_mesh,
+    prescribed_areas, refined_mesh, terrain_mesh,
 )  # fmt: skip
 # Of a mesh, an argument may be a point array's name; and what comes first is not one of arrays.
 OWN_TYPES = {"points", "mesh", "surface", "triangles", "weights", "heights", "areas", "constraints", "domain", "box",
-             "kernel"}
+             "kernel", "maximum_area", "regions"}
 
 
 @pytest.mark.parametrize("function", FUNCTIONS)
@@ -38,7 +39,7 @@ def test_arguments_have_the_names_of_the_array_layer(function):
     common = [name for name in there if name in here]
     missing = set(there) - set(here)
     # Lines and polygons come in one mesh; a surface has its triangles.
-    assert missing <= {"points", "polygons", "triangles"}
+    assert missing <= {"points", "polygons", "triangles", "constraints", "lines", "holes"}
     assert "threads" in common and "progress" in common
     for name in common:
         assert here[name].default == there[name].default, name
@@ -48,7 +49,8 @@ def test_arguments_have_the_names_of_the_array_layer(function):
             assert types[0] == types[1] or types[1] is str, name  # or a Literal of strings
     # What is called otherwise there: within_edge_length(limit).
     own = {"composite_mode", "projection_plane_mode", "transform", "radii", "weight_factor", "maximum_edge_length",
-           "return_hidden_points", "skip_ghost_points", "pass_point_data", "alpha"}
+           "return_hidden_points", "skip_ghost_points", "pass_point_data", "alpha", "split_crossings",
+           "closed_lines_as_borders", "non_finite"}
     assert set(here) - set(there) <= {"mesh", "surface", *own}
 
 

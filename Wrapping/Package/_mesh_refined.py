@@ -38,10 +38,16 @@ class Refined(JoinedPoints):
                 self.cloud = self._extended(cloud, True, False)
 
     def found(
-        self, limits: tuple[float, float, int], regions: Floats, areas: Floats | None, by_direction: bool, settings: Any
+        self,
+        limits: tuple[float, float, int],
+        regions: Floats,
+        areas: Floats | None,
+        by_direction: bool,
+        settings: Any,
+        area_at: Any = None,
     ) -> dict[str, Any]:
         """What the engine finds."""
-        arguments = self._sides, by_direction, None, limits, regions, areas, None, ANYWHERE, None, settings
+        arguments = self._sides, by_direction, None, limits, regions, areas, None, ANYWHERE, area_at, settings
         pieces = np.ascontiguousarray(self._pieces)
         self._found: dict[str, Any] = self._source.engine(
             _core.refined_mesh, self.positions, pieces, *arguments, piece_of=self._piece_of

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +22,14 @@ from ._results import Ids
 
 # As vtkFFAlgorithm.SourcePointsType.
 _AUTOMATIC, _OWN = 0, 2
+
+
+class Advice(NamedTuple):
+    """What errors say to do: where constraints cross, where a point is a ghost, where polygons disagree."""
+
+    split: str = "turn on Split Crossing Constraints"
+    ghosts: str = "Turn off Skip Ghost Points"
+    rule: str = "set Polygon Rule to Even-Odd"
 
 
 @dataclass
@@ -40,6 +48,7 @@ class SourceRule:
         whether the algorithm has settings for whose points these are, and for splits; errors name them then
     owner : str
         how errors name what has the cells
+    advice : Advice
     """
 
     points: int
@@ -48,6 +57,7 @@ class SourceRule:
     has_setting: bool = True
     can_split: bool = True
     owner: str = "source"
+    advice: Advice = Advice()
 
 
 @dataclass
@@ -188,8 +198,8 @@ class Source:
                 f"has no points.{advice}"
             )
         return (
-            f"Point {point} of {cell} is a ghost point, which is left out. Turn off Skip Ghost Points, or take the "
-            "cell away."
+            f"Point {point} of {cell} is a ghost point, which is left out. {self._rule.advice.ghosts}, or take the cell "
+            "away."
         )
 
     def _name_of(self, cell: int) -> str:
@@ -203,8 +213,9 @@ class Source:
             point = error.count if self.is_own else int(self._kept[error.count])
             return f"Point {point} of {cell(error.index)} is left out: it has a coordinate that is NaN or infinite."
         if error.code == "constraints_cross":
-            both = "both" if self.is_own else "the input and to both"
-            advice = ", or turn on Split Crossing Constraints." if self._rule.can_split else "."
+            given = "input" if self._rule.owner == "source" else self._rule.owner
+            both = "both" if self.is_own else f"the {given} and to both"
+            advice = f", or {self._rule.advice.split}." if self._rule.can_split else "."
             return (
                 f"An edge of {cell(error.index)} crosses one of {cell(error.count)}, and there is no point where they "
                 f"do. Add one to {both}{advice}"
@@ -213,12 +224,14 @@ class Source:
             return ""
         wrong, right = cell(error.index), cell(error.count)
         if wrong == right:
-            end = f"The sides of {wrong} disagree with each other, as where a polygon crosses itself. Set Polygon Rule"
+            rule = self._rule.advice.rule
+            end = f"The sides of {wrong} disagree with each other, as where a polygon crosses itself. {rule[0].upper()}"
+            end += rule[1:]
         else:
-            end = f"Reverse {wrong}, which disagrees with {right}, or set Polygon Rule"
+            end = f"Reverse {wrong}, which disagrees with {right}, or {self._rule.advice.rule}"
         return (
             "The polygons disagree about what is inside: what is on the left of a side is inside, and holes run "
-            f"clockwise. {end} to Even-Odd."
+            f"clockwise. {end}."
         )
 
 

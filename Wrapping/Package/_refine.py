@@ -172,8 +172,7 @@ def refined_mesh(
     if parts.polygons and lines is None:
         raise ValueError("regions that are polygons go with lines")
     pixels, placement = areas.of_pixels or (None, (0.0, 0.0, 1.0, 1.0))
-    if least > 30:
-        warn_caller("minimum_angle is above 30 degrees: the refinement may go on until maximum_points ends it")
+    warn_of_angle(least)
     with report_of(progress) as report:
 
         def part(begin: float, end: float) -> Any:
@@ -218,6 +217,11 @@ def refined_mesh(
     if array.shape[1] == 3:
         mesh.__dict__["heights"] = mesh.values_at_points(array[:, 2])
     return mesh
+
+
+def warn_of_angle(least: float) -> None:
+    if least > 30:
+        warn_caller("minimum_angle is above 30 degrees: the refinement may go on until maximum_points ends it")
 
 
 def sums_of(rows: Floats, offsets: Ids) -> Floats:

@@ -40,6 +40,7 @@ from ._mesh_constrained import constrained_triangulation
 from ._mesh_constraints import constraints_of_call
 from ._mesh_image import to_image
 from ._mesh_lines import breaklines_of_call
+from ._mesh_refinement import refined_mesh
 from ._mesh_runs import Run
 from ._mesh_transport import centroidal_cells, prescribed_areas
 from ._meshes import Block, add_block_index, blocks_of, is_tree, pass_field_data
@@ -61,6 +62,7 @@ __all__ = [
     "convexify",
     "power_diagram",
     "prescribed_areas",
+    "refined_mesh",
     "regular_triangulation",
     "terrain_mesh",
     "to_image",
@@ -540,6 +542,7 @@ class Accessor:
     convexify = _method(convexify)
     power_diagram = _method(power_diagram)
     prescribed_areas = _method(prescribed_areas)
+    refined_mesh = _method(refined_mesh)
     regular_triangulation = _method(regular_triangulation)
     terrain_mesh = _method(terrain_mesh)
     to_image = _method(to_image)
