@@ -308,6 +308,7 @@ private:
     result.isComplete = !refinement.reachedLimit();
     writeCells(*this->mesh, this->source.count() + static_cast<std::uint32_t>(result.newPoints),
       Options(), this->monitor, result);
+    this->rankPoints(result);
     result.hiddenIds = std::move(this->start.hiddenIds);
     result.sides = this->constraints.sides;
     this->writeSegments(refinement, result);
@@ -343,22 +344,21 @@ private:
     }
   }
 
-  /// The slot of a visible point.
-  std::uint32_t slot(std::int64_t id) const
+  void rankPoints(const RefinedMesh& result)
   {
     const auto count = static_cast<std::int64_t>(this->source.count());
-    return id < count ? this->slotOf[static_cast<std::size_t>(id)]
-                      : this->newSlots[static_cast<std::size_t>(id - count)];
+    this->rankOf.assign(this->mesh->slotCount(), NoIndex);
+    for (std::uint32_t rank = 0; rank < result.pointIds.size(); ++rank)
+    {
+      const std::int64_t id = result.pointIds[rank];
+      const std::uint32_t slot = id < count ? this->slotOf[static_cast<std::size_t>(id)]
+                                            : this->newSlots[static_cast<std::size_t>(id - count)];
+      this->rankOf[slot] = rank;
+    }
   }
 
   void writeSegments(const Refinement& refinement, RefinedMesh& result)
   {
-    const auto rankOf = [&](std::uint32_t slot)
-    {
-      const auto found = std::lower_bound(result.pointIds.begin(), result.pointIds.end(),
-        static_cast<std::int64_t>(this->mesh->vertex(slot).id));
-      return static_cast<std::uint32_t>(found - result.pointIds.begin());
-    };
     std::vector<FixedEdge> edges;
     refinement.eachPart(
       [&](std::uint32_t from, std::uint32_t to, std::uint32_t segment)
@@ -370,7 +370,8 @@ private:
           const std::int64_t side = this->start.sideOf[segment];
           sides.first[sides.balance < 0] = side < 0 ? NoIndex : static_cast<std::uint32_t>(side);
         }
-        edges.emplace_back(rankOf(from), rankOf(to), this->constraintOf(segment), sides);
+        edges.emplace_back(
+          this->rankOf[from], this->rankOf[to], this->constraintOf(segment), sides);
       });
     writeFixedEdges(edges, result);
     for (std::int64_t& constraint : result.constraintOf)
@@ -379,21 +380,38 @@ private:
     }
   }
 
+  /// Cells are in lexicographic order, each from its lowest corner on.
   void writeRegions(const Refinement& refinement, RefinedMesh& result)
   {
     const auto cells = static_cast<std::size_t>(result.cellCount());
-    result.region.allocate(cells);
+    const auto corner = [&](std::size_t cell, std::size_t i)
+    { return static_cast<std::uint32_t>(result.connectivity[3 * cell + i]); };
+    std::vector<std::size_t> begin(result.pointIds.size() + 1, 0);
     for (std::size_t cell = 0; cell < cells; ++cell)
     {
-      std::uint32_t corner[2];
-      for (std::size_t i = 0; i < 2; ++i)
+      begin[corner(cell, 0) + 1] = cell + 1;
+    }
+    for (std::size_t i = 1; i < begin.size(); ++i)
+    {
+      begin[i] = std::max(begin[i], begin[i - 1]);
+    }
+    result.region.allocate(cells);
+    std::fill(result.region.begin(), result.region.end(), -1);
+    for (std::uint32_t t = 0; t < this->mesh->triangleCount(); ++t)
+    {
+      if (refinement.region(t) == 0)
       {
-        corner[i] =
-          this->slot(result.pointIds[static_cast<std::size_t>(result.connectivity[3 * cell + i])]);
+        continue;
       }
-      const std::uint32_t h = this->mesh->halfEdgeTo(corner[0], corner[1]);
-      ensure(h != NoIndex);
-      result.region[cell] = static_cast<std::int64_t>(refinement.region(triangleOf(h))) - 1;
+      const std::uint32_t* const v = this->mesh->triangle(t).v;
+      const std::uint32_t rank[3] = { this->rankOf[v[0]], this->rankOf[v[1]], this->rankOf[v[2]] };
+      const auto lowest = std::min_element(rank, rank + 3) - rank;
+      std::size_t cell = begin[rank[lowest]];
+      while (corner(cell, 1) != rank[(lowest + 1) % 3])
+      {
+        ++cell;
+      }
+      result.region[cell] = static_cast<std::int64_t>(refinement.region(t)) - 1;
     }
   }
 
@@ -428,6 +446,7 @@ private:
   std::unique_ptr<RefinedTriangles> mesh;
   std::vector<std::uint32_t> slotOf;   ///< by id of an input point; 0: it is not visible
   std::vector<std::uint32_t> newSlots; ///< of new points, by ascending ids
+  std::vector<std::uint32_t> rankOf;   ///< by slot, among the visible points
   std::vector<std::uint32_t> regionOf; ///< by triangle; 0: outside, 1: in none of the regions
   bool coversHull = false;             ///< its edges are segments
 };

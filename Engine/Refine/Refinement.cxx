@@ -19,25 +19,50 @@ Refinement::Refinement(Mesh& toRefine, std::vector<std::uint32_t> regions,
   , monitor(toReport)
   , poll(toReport)
   , firstNewSlot(toRefine.slotCount())
-  , vertices(toRefine.slotCount(), SegmentVertex{ NoIndex, { 0, 0 } })
+  , vertices(toRefine.slotCount(), SegmentVertex{ NoIndex, { 0, 0 }, { 0, 0 } })
 {
 }
 
 void Refinement::addSegment(std::uint32_t from, std::uint32_t to)
 {
   const auto number = static_cast<std::uint32_t>(this->segments.size());
-  if (this->parts.insert({ Mesh::edgeKey(from, to), Part{ from, to, number, false } }).second)
+  if (this->whole.insert({ Mesh::edgeKey(from, to), number }).second)
   {
     const double length = std::sqrt(Offset(this->position(from), this->position(to)).square());
-    this->segments.push_back({ from, to, length, { false, false } });
+    this->segments.push_back({ from, to, to, length, { false, false } });
   }
 }
 
-Refinement::Part& Refinement::part(std::uint32_t a, std::uint32_t b)
+/// The part between two vertices.
+Refinement::Part Refinement::part(std::uint32_t a, std::uint32_t b) const
 {
-  const auto found = this->parts.find(Mesh::edgeKey(a, b));
-  ensure(found != this->parts.end());
-  return found->second;
+  const SegmentVertex& from = this->vertices[a];
+  const SegmentVertex& to = this->vertices[b];
+  bool isForth = false;
+  std::uint32_t number = from.segment;
+  if (from.segment != NoIndex)
+  {
+    isForth = from.next[1] == b;
+  }
+  else if (to.segment != NoIndex)
+  {
+    isForth = to.next[0] == a;
+    number = to.segment;
+  }
+  else
+  {
+    const auto found = this->whole.find(Mesh::edgeKey(a, b));
+    ensure(found != this->whole.end());
+    number = found->second;
+    isForth = this->segments[number].from == a;
+  }
+  return isForth ? Part{ a, b, number } : Part{ b, a, number };
+}
+
+/// Is a part known to be too short?
+bool Refinement::isLeft(std::uint32_t a, std::uint32_t b) const
+{
+  return !this->left.empty() && this->left.count(Mesh::edgeKey(a, b)) > 0;
 }
 
 void Refinement::run()
@@ -82,12 +107,12 @@ void Refinement::divideAllBad()
 void Refinement::findSmallAngles()
 {
   const AngleBound small(60);
-  for (const auto& [key, part] : this->parts)
+  for (const Segment& given : this->segments)
   {
-    for (const std::uint32_t apex : { part.from, part.to })
+    for (const std::uint32_t apex : { given.from, given.to })
     {
       // From this segment on to the next one.
-      const std::uint32_t end = apex == part.from ? part.to : part.from;
+      const std::uint32_t end = apex == given.from ? given.to : given.from;
       const std::uint32_t first = this->mesh.halfEdgeTo(apex, end);
       std::uint32_t h = first;
       bool isInside = true;
@@ -236,8 +261,8 @@ bool Refinement::isBetweenSegments(const ShapedTriangle& shape, const std::uint3
 Refinement::SegmentVertex Refinement::vertexOf(std::uint32_t number, std::uint32_t slot) const
 {
   const Segment& segment = this->segments[number];
-  return slot == segment.from ? SegmentVertex{ number, { 0, segment.length } }
-    : slot == segment.to      ? SegmentVertex{ number, { segment.length, 0 } }
+  return slot == segment.from ? SegmentVertex{ number, { 0, 0 }, { 0, segment.length } }
+    : slot == segment.to      ? SegmentVertex{ number, { 0, 0 }, { segment.length, 0 } }
                               : this->vertices[slot];
 }
 
@@ -260,13 +285,13 @@ Refinement::SegmentVertex Refinement::middleOf(const Part& part, double& share) 
     const double distance = roundestBetween(near, far);
     share = (distance - near) / (far - near);
     share = apex == 0 ? share : 1 - share;
-    SegmentVertex result = { part.number, { 0, 0 } };
+    SegmentVertex result = { part.number, { part.from, part.to }, { 0, 0 } };
     result.distance[apex] = distance;
     result.distance[1 - apex] = segment.length - distance;
     return result;
   }
   share = 0.5;
-  return { part.number,
+  return { part.number, { part.from, part.to },
     { 0.5 * (from.distance[0] + to.distance[0]), 0.5 * (from.distance[1] + to.distance[1]) } };
 }
 
@@ -326,15 +351,14 @@ bool Refinement::divide(const Candidate& candidate)
     this->isFull = true;
     return false;
   }
-  Part& given = this->part(candidate.from, candidate.to);
-  if (given.isLeft)
+  if (this->isLeft(candidate.from, candidate.to))
   {
     return false;
   }
-  const Part old = given;
+  const Part old = this->part(candidate.from, candidate.to);
   double share = 0;
   const SegmentVertex middle = this->middleOf(old, share);
-  const Segment& segment = this->segments[old.number];
+  Segment& segment = this->segments[old.number];
   const bool isAtSmallAngle = (segment.isSmallAt[0] && old.from == segment.from) ||
     (segment.isSmallAt[1] && old.to == segment.to);
   if (!isAtSmallAngle)
@@ -348,13 +372,15 @@ bool Refinement::divide(const Candidate& candidate)
   const std::uint32_t slot = this->insertBetween(old, share);
   if (slot == 0)
   {
-    given.isLeft = true;
+    this->left.insert(Mesh::edgeKey(old.from, old.to));
     ++this->segmentsLeft;
     return false;
   }
-  this->parts.erase(Mesh::edgeKey(old.from, old.to));
-  this->parts[Mesh::edgeKey(old.from, slot)] = { old.from, slot, old.number, false };
-  this->parts[Mesh::edgeKey(slot, old.to)] = { slot, old.to, old.number, false };
+  (old.from == segment.from ? segment.first : this->vertices[old.from].next[1]) = slot;
+  if (old.to != segment.to)
+  {
+    this->vertices[old.to].next[0] = slot;
+  }
   this->afterInsertion(middle, { old.from, old.to }, { right, left });
   return true;
 }
@@ -390,7 +416,7 @@ void Refinement::removeNear(std::uint32_t from, std::uint32_t to)
 /// Have a segment divided, whatever encroaches upon it. False: it is too short.
 bool Refinement::force(std::uint32_t a, std::uint32_t b)
 {
-  if (this->part(a, b).isLeft)
+  if (this->isLeft(a, b))
   {
     return false;
   }
@@ -443,7 +469,7 @@ void Refinement::divideTriangle(const BadTriangle& worst)
   if (slot != 0)
   {
     const std::uint32_t region = this->regionOf[holding];
-    this->afterInsertion({ NoIndex, { 0, 0 } }, { 0, 0 }, { region, region });
+    this->afterInsertion({ NoIndex, { 0, 0 }, { 0, 0 } }, { 0, 0 }, { region, region });
   }
   else if (!this->waiting.empty())
   {

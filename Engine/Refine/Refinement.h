@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace flipflop
@@ -69,9 +70,16 @@ public:
   template <class Use>
   void eachPart(const Use& use) const
   {
-    for (const auto& [key, part] : this->parts)
+    for (std::uint32_t number = 0; number < this->segments.size(); ++number)
     {
-      use(part.from, part.to, part.number);
+      const Segment& segment = this->segments[number];
+      std::uint32_t from = segment.from;
+      std::uint32_t to = segment.first;
+      for (use(from, to, number); to != segment.to; use(from, to, number))
+      {
+        from = to;
+        to = this->vertices[from].next[1];
+      }
     }
   }
 
@@ -88,6 +96,7 @@ private:
   struct Segment
   {
     std::uint32_t from, to;
+    std::uint32_t first; ///< the vertex next to the one that it is from
     double length;
     bool isSmallAt[2]; ///< the angle to another at an end
   };
@@ -96,7 +105,9 @@ private:
   struct SegmentVertex
   {
     std::uint32_t segment; ///< NoIndex: it is in none
-    double distance[2];    ///< from both ends, as it was meant, not rounded
+    std::uint32_t
+      next[2];          ///< the vertices next to it in the segment: towards its begin and its end
+    double distance[2]; ///< from both ends, as it was meant, not rounded
   };
 
   /// Of a segment, in its direction.
@@ -104,7 +115,6 @@ private:
   {
     std::uint32_t from, to;
     std::uint32_t number;
-    bool isLeft; ///< it is too short to be divided
   };
 
   /// A part that may have to be divided.
@@ -116,7 +126,8 @@ private:
 
   const double* position(std::uint32_t slot) const { return this->mesh.vertex(slot).x; }
   bool isInside(std::uint32_t t) const { return this->regionOf[t] != 0; }
-  Part& part(std::uint32_t a, std::uint32_t b);
+  Part part(std::uint32_t a, std::uint32_t b) const;
+  bool isLeft(std::uint32_t a, std::uint32_t b) const;
   SegmentVertex vertexOf(std::uint32_t segment, std::uint32_t slot) const;
   SegmentVertex middleOf(const Part& part, double& share) const;
 
@@ -151,11 +162,12 @@ private:
   Monitor& monitor;
   StepPoll poll;
   const std::uint32_t firstNewSlot;
-  std::vector<SegmentVertex> vertices;           ///< by slot
-  std::vector<Segment> segments;                 ///< by number
-  std::unordered_map<std::uint64_t, Part> parts; ///< by edgeKey
-  std::vector<Candidate> waiting;                ///< of segments
-  std::size_t next = 0;                          ///< of these
+  std::vector<SegmentVertex> vertices;                    ///< by slot
+  std::vector<Segment> segments;                          ///< by number
+  std::unordered_map<std::uint64_t, std::uint32_t> whole; ///< numbers by edgeKey of their ends
+  std::unordered_set<std::uint64_t> left;                 ///< parts too short to be divided
+  std::vector<Candidate> waiting;                         ///< of segments
+  std::size_t next = 0;                                   ///< of these
   BadTriangles bad;
   std::vector<BadTriangle> unmeasured; ///< good ones, whose area is to be compared with the field
   std::int64_t inserted = 0;
