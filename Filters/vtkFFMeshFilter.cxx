@@ -80,8 +80,8 @@ std::vector<flipflop::MeshRegion> regionsOf(vtkInformationVector* input, const F
   vtkDataObject* const data = vtkDataObject::GetData(input);
   if (data && run.IsInComposite())
   {
-    throw FFBadSetting("The regions are of one data set, and an input is a composite. Take one "
-                       "data set, merge them, or take the regions away.");
+    throw FFBadSetting("The regions are of one data set, and an input is a composite. Take one, "
+                       "merge them, or take the regions away.");
   }
   auto* const points = vtkPointSet::SafeDownCast(data);
   if (data && !points)

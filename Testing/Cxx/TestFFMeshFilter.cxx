@@ -8,6 +8,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFFMeshFilter.h"
 #include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkTable.h"
 
@@ -217,7 +218,8 @@ void testErrorsAndLimits()
   run->SetMaximumArea(1e-4);
   run->SetMaximumNumberOfPoints(50);
   run->Update();
-  FF_CHECK(run.Errors->Has("Maximum Number Of Points ended the refinement: some triangles are"));
+  FF_CHECK(run.Errors->Has(
+    "Maximum Number Of Points ended the refinement: some triangles are still thin, or too large."));
   FF_CHECK_EQUAL(run->GetNumberOfAddedPoints(), 50);
   FF_CHECK_EQUAL(reported(run->GetOutput(), "Complete"), 0.0);
   for (const double area : { -2.0, std::numeric_limits<double>::quiet_NaN() })
@@ -246,6 +248,19 @@ void testErrorsAndLimits()
   FF_CHECK(fails(image.Filter, vtkFFErrorCode::InputError,
     { "The input is a vtkImageData. It must be a vtkPolyData, whose polygons and lines are "
       "meshed." }));
+
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, plate());
+  blocks->SetBlock(1, plate());
+  Refining composite(blocks);
+  composite->Update();
+  auto* const both = vtkMultiBlockDataSet::SafeDownCast(composite->GetOutputDataObject(0));
+  FF_CHECK(both && vtkPolyData::SafeDownCast(both->GetBlock(1))->GetNumberOfPolys() >= 12);
+  composite->SetSourceData(makePoints({ { 0.5, 0.5, 0 } }));
+  composite.Errors->Clear();
+  composite->Update();
+  FF_CHECK(composite.Errors->Has("The regions are of one data set, and an input is a composite. "
+                                 "Take one, merge them, or take the regions away."));
 
   const auto bad = plate();
   bad->GetPoints()->SetPoint(10, 0, std::numeric_limits<double>::quiet_NaN(), 0);

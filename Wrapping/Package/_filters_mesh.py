@@ -114,8 +114,8 @@ def _regions_of(data: Any, task: Task) -> Floats:
     """Rows of x, y, an area, and 0: of the points of the second input."""
     if data is not None and task.name:
         raise SettingError(
-            "The regions are of one data set, and an input is a composite. Take one data set, merge them, or take the "
-            "regions away."
+            "The regions are of one data set, and an input is a composite. Take one, merge them, or take the regions "
+            "away."
         )
     if data is not None and not data.IsA("vtkPointSet"):
         sentence = "They must be points: a vtkPointSet."

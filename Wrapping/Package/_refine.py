@@ -235,7 +235,7 @@ def sums_of(rows: Floats, offsets: Ids) -> Floats:
 
 def _numbered(region_of: Ids, polygons: list[PolygonRegion], found: dict[str, Any]) -> Ids:
     """The regions of triangles, those that are polygons among them: of several, the first."""
-    centroids = found["points"][found["simplices"]].mean(axis=1)
+    centroids = found["points"][found["simplices"]].mean(axis=1) if polygons else None
     for polygon in reversed(polygons):
         held = polygon.holds(centroids)
         region_of[held & ((region_of < 0) | (region_of > polygon.number))] = polygon.number
