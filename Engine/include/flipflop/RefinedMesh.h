@@ -115,6 +115,7 @@ RefinedMesh refinedMesh(const PointView& points, const ConstraintView& constrain
 void keepInside(RefinedMesh& mesh);
 
 /// What the triangles of a mesh are like, rounded.
+/// @param mesh   its triangles, or those that keepInside() left
 /// @param areas  receives the area of each cell
 /// @param angles receives its least angle, in degrees
 /// @throw Error  BadArgument (no array; cells that are no triangles)
