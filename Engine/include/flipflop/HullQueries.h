@@ -167,7 +167,7 @@ private:
 ///
 /// Each component of a normal is off by no more than 1e-15 of itself and 1e-280, however thin the
 /// cell is. The corners of the hull give n . x + d at most 2e-15 times the hull's largest
-/// coordinate.
+/// coordinate. An offset that no double holds is infinite.
 /// @param points  of the hull
 /// @param hull    in triangles or polygons, as convexHull() or convexify() give it
 /// @param options threads, progress

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -242,7 +243,10 @@ private:
     {
       const Point& x = this->corners[corner];
       const double size = std::max(std::fabs(x[0]), std::fabs(x[1]));
-      const double limit = MostUnits * (size - std::nextafter(size, 0));
+      // Of zero, too, the unit is that of the least doubles.
+      const double unit =
+        std::max(size - std::nextafter(size, 0), std::numeric_limits<double>::denorm_min());
+      const double limit = MostUnits * unit;
       for (const Point& other : this->sites)
       {
         const long double u = static_cast<long double>(x[0]) - mine[0];

@@ -382,8 +382,16 @@ std::string HullReference::planesFault(const Hull& given, const Buffer<double>& 
     {
       const Point& p = this->cloud[static_cast<std::size_t>(id)];
       // Quarters: sums of the largest numbers overflow.
-      const double height =
-        0.25 * n[0] * p[0] + 0.25 * n[1] * p[1] + 0.25 * n[2] * p[2] + 0.25 * n[3];
+      const double along = 0.25 * n[0] * p[0] + 0.25 * n[1] * p[1] + 0.25 * n[2] * p[2];
+      if (std::isinf(n[3]) &&
+        std::find(cells[cell].begin(), cells[cell].end(), id) != cells[cell].end())
+      {
+        if (!(std::fabs(along) >= 0.25 * (1 - 1e-15) * std::numeric_limits<double>::max()))
+        {
+          return "an offset is infinite that doubles hold";
+        }
+      }
+      const double height = std::isinf(n[3]) ? -slack : along + 0.25 * n[3];
       if (!(height <= slack && (given.dimension == 3 || height >= -slack)))
       {
         return "a corner is before a plane";
