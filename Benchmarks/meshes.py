@@ -5,19 +5,20 @@
 
     meshes.py [--picture FILE] [INPUT...]
 
-The inputs are Triangle's own samples, and Greenland, which come with its package; the contours of Data/; a made coast
+The inputs are files of GeoJSON, of which all that rings enclose is meshed; or by name Triangle's own samples, and Greenland, which come with its package; the contours of Data/; a made coast
 of 1e5 corners with islands; and the unit square with triangles of at most 1e-6. All by default. "thin" counts the
 triangles below the least angle, but for rounding; seconds are the best of three, on one thread. The picture has the
 least angles of all triangles of some of the inputs.
 """
 
 import argparse
+import json
 import pathlib
 import time
 
 import numpy as np
 import triangle
-from vtkflipflop.arrays import refined_mesh
+from vtkflipflop.arrays import constrained_triangulation, refined_mesh
 
 ANGLES = (20.0, 25.0, 30.0, 33.0)
 SAMPLES = ("face", "A", "la", "double_hex", "box", "greenland")
@@ -84,6 +85,12 @@ def coast(count=100_000):
     begins = np.cumsum([0, *map(len, shores)])
     segments = np.concatenate([ring(line, begin) for line, begin in zip(shores, begins)])
     return points, segments, np.array([[x, y] for x in (-40, 0, 40) for y in (-40, 0, 40)], float)
+
+
+def of_file(path):
+    """The rings of a file of GeoJSON, divided where they meet."""
+    found = constrained_triangulation([], json.loads(pathlib.Path(path).read_text()))
+    return found.points.copy(), np.unique(np.sort(found.constraints, axis=1), axis=0), np.empty((0, 2))
 
 
 def square():
@@ -155,7 +162,7 @@ def main():
     histograms = {}
     print("input,corners,angle,area,package,triangles,least,thin,seconds")
     for name in arguments.inputs:
-        graph = made[name]() if name in made else of_triangle(name)
+        graph = made[name]() if name in made else of_file(name) if "." in name else of_triangle(name)
         cases = [(30.0, 1e-6)] if name == "square" else [(angle, None) for angle in ANGLES]
         for angle, area in cases:
             for package, mesh in (("vtkflipflop", flipflop_mesh), ("triangle", triangle_mesh)):
@@ -163,7 +170,7 @@ def main():
                 angles = least_angles(points, cells)
                 thin = int((angles < angle - 1e-6).sum())
                 row = f"{len(graph[0])},{angle:g},{area or ''},{package},{len(cells)},{angles.min():.2f},{thin},{seconds:.4f}"
-                print(f"{name},{row}", flush=True)
+                print(f"{pathlib.Path(name).stem},{row}", flush=True)
                 if (name, angle) in DRAWN:
                     histograms.setdefault((name, angle), {})[package] = angles
     if arguments.picture:
