@@ -4,6 +4,7 @@ from typing import Any, Literal
 
 from . import arrays as arrays
 from . import pyvista as pyvista
+from . import spatial as spatial
 from ._filters import vtkFFAlgorithm as vtkFFAlgorithm
 from ._filters import vtkFFConvexifyFilter as vtkFFConvexifyFilter
 from ._filters import vtkFFHullAlgorithm as vtkFFHullAlgorithm

@@ -1,0 +1,178 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkflipflop.spatial is scipy.spatial by another import: names, shapes, types, errors; and the same answers."""
+
+import importlib.util
+import unittest
+import warnings
+
+import numpy as np
+from vtkflipflop import spatial
+
+HAS_SCIPY = importlib.util.find_spec("scipy") is not None
+RANDOM = np.random.default_rng(12)
+CLOUDS = {"plane": RANDOM.random((300, 2)), "space": RANDOM.normal(size=(300, 3))}
+SQUARE = np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]])
+
+
+def rows_of(simplices):
+    return {tuple(sorted(row)) for row in simplices.tolist()}
+
+
+class TestHulls(unittest.TestCase):
+    @unittest.skipUnless(HAS_SCIPY, "scipy is not installed")
+    def test_as_scipy(self):
+        import scipy.spatial
+
+        for name, points in CLOUDS.items():
+            with self.subTest(name):
+                found, wanted = spatial.ConvexHull(points), scipy.spatial.ConvexHull(points)
+                self.assertEqual(rows_of(found.simplices), rows_of(wanted.simplices))
+                if points.shape[1] == 2:
+                    start = int(np.flatnonzero(wanted.vertices == found.vertices[0])[0])
+                    np.testing.assert_array_equal(found.vertices, np.roll(wanted.vertices, -start))
+                else:
+                    np.testing.assert_array_equal(found.vertices, np.sort(wanted.vertices))
+                np.testing.assert_allclose([found.volume, found.area], [wanted.volume, wanted.area])
+                one, other = (hull.equations[np.lexsort(np.round(hull.equations, 9).T)] for hull in (found, wanted))
+                np.testing.assert_allclose(one, other, atol=1e-12)
+                np.testing.assert_array_equal(found.min_bound, wanted.min_bound)
+                for attribute in ("vertices", "simplices", "neighbors", "equations", "coplanar", "points"):
+                    mine, theirs = getattr(found, attribute), getattr(wanted, attribute)
+                    self.assertEqual((mine.dtype, mine.shape), (theirs.dtype, theirs.shape), attribute)
+                    self.assertTrue(mine.flags.writeable)
+
+    def test_neighbors(self):
+        hull = spatial.ConvexHull(CLOUDS["space"])
+        for facet, others in zip(hull.simplices, hull.neighbors):
+            for corner, other in enumerate(others):
+                self.assertTrue(set(np.delete(facet, corner)) <= set(hull.simplices[other]))
+
+    def test_points_are_added(self):
+        for points in CLOUDS.values():
+            with spatial.ConvexHull(points[:50], incremental=True) as hull:
+                for begin in range(50, 300, 50):
+                    hull.add_points(points[begin : begin + 50])
+                    whole = spatial.ConvexHull(points[: begin + 50])
+                    self.assertEqual(rows_of(hull.simplices), rows_of(whole.simplices))
+                    np.testing.assert_array_equal(hull.points, whole.points)
+                    self.assertAlmostEqual(hull.volume, whole.volume)
+                hull.add_points(points[:3], restart=True)
+                self.assertEqual(hull.npoints, 303)
+            with self.assertRaisesRegex(RuntimeError, "closed"):
+                hull.add_points(points)
+        with self.assertRaisesRegex(RuntimeError, "incremental mode not enabled"):
+            spatial.ConvexHull(SQUARE).add_points(SQUARE)
+        hull = spatial.ConvexHull(SQUARE, incremental=True)
+        with self.assertRaisesRegex(ValueError, "invalid size"):
+            hull.add_points([[0, 0, 0]])
+
+    def test_bad_input(self):
+        for wrong, error, sentence in (
+            (SQUARE[:2], spatial.QhullError, "all points are on a line: 2 points span less than 2"),
+            (np.column_stack([SQUARE, SQUARE[:, 0]]), spatial.QhullError, "all points are in one plane"),
+            (np.empty((0, 2)), spatial.QhullError, "there is no point"),
+            ([1, 2, 3], ValueError, "not 2-D"),
+            ([[1], [2]], ValueError, "Need at least 2-D data"),
+            ([[0, np.nan]], ValueError, "cannot contain NaN"),
+            ([[0, np.inf]], ValueError, "cannot contain infinity"),
+            (np.ma.masked_array(SQUARE), ValueError, "masked array"),
+            (np.zeros((5, 4)), NotImplementedError, r"not 4: take scipy.spatial.ConvexHull, or pass fallback=True"),
+        ):
+            with self.subTest(sentence), self.assertRaisesRegex(error, sentence):
+                spatial.ConvexHull(wrong)
+        with self.assertRaisesRegex(NotImplementedError, "choose facets"):
+            spatial.ConvexHull(SQUARE, qhull_options="QG4")
+        with self.assertWarnsRegex(UserWarning, "'Qx Qt' mean nothing here"):
+            spatial.ConvexHull(SQUARE, qhull_options="Qx Qt")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            spatial.ConvexHull(SQUARE, qhull_options="Qx Qt")
+
+    @unittest.skipUnless(HAS_SCIPY, "scipy is not installed")
+    def test_fallback(self):
+        import scipy.spatial
+
+        points = RANDOM.random((30, 4))
+        self.assertIs(type(spatial.ConvexHull(points, fallback=True)), scipy.spatial.ConvexHull)
+        self.assertIs(type(spatial.Delaunay(points[:, :3], fallback=True)), scipy.spatial.Delaunay)
+        self.assertIs(type(spatial.ConvexHull(points[:, :3], fallback=True)), spatial.ConvexHull)
+
+
+class TestTriangulations(unittest.TestCase):
+    @unittest.skipUnless(HAS_SCIPY, "scipy is not installed")
+    def test_as_scipy(self):
+        import scipy.spatial
+
+        points, queries = CLOUDS["plane"], RANDOM.random((200, 2)) * 1.2 - 0.1
+        found, wanted = spatial.Delaunay(points), scipy.spatial.Delaunay(points)
+        self.assertEqual(rows_of(found.simplices), rows_of(wanted.simplices))
+        self.assertEqual(rows_of(found.convex_hull), rows_of(wanted.convex_hull))
+        mine, theirs = found.find_simplex(queries), wanted.find_simplex(queries)
+        np.testing.assert_array_equal(mine < 0, theirs < 0)
+        np.testing.assert_array_equal(
+            np.sort(found.simplices[mine[mine >= 0]]), np.sort(wanted.simplices[theirs[theirs >= 0]])
+        )
+        np.testing.assert_array_equal(spatial.tsearch(found, queries[0]), mine[0])
+        first, ids = wanted.vertex_neighbor_vertices
+        for i, (begin, end) in enumerate(zip(first[:-1], first[1:])):
+            own = found.vertex_neighbor_vertices
+            self.assertEqual(set(own[1][own[0][i] : own[0][i + 1]]), set(ids[begin:end]))
+        for attribute in ("simplices", "neighbors", "equations", "convex_hull", "coplanar", "transform", "points"):
+            one, other = getattr(found, attribute), getattr(wanted, attribute)
+            self.assertEqual((one.dtype, one.shape), (other.dtype, other.shape), attribute)
+            self.assertTrue(one.flags.writeable)
+        # A triangle's plane has its lifted corners, and no lifted point is below.
+        heights = found.plane_distance(points)
+        np.testing.assert_allclose(np.take_along_axis(heights.T, found.simplices.astype(int), axis=1), 0, atol=1e-15)
+        self.assertLess(heights.max(), 1e-15)
+        self.assertGreater(found.plane_distance(points[found.simplices[0]].mean(axis=0)).max(), 0)
+
+    def test_transform(self):
+        tri = spatial.Delaunay(CLOUDS["plane"])
+        queries = RANDOM.random((100, 2))
+        cells = tri.find_simplex(queries)
+        queries, cells = queries[cells >= 0], cells[cells >= 0]
+        two = np.einsum("nij,nj->ni", tri.transform[cells, :2], queries - tri.transform[cells, 2])
+        shares = np.column_stack([two, 1 - two.sum(axis=1)])
+        self.assertGreater(shares.min(), -1e-12)
+        back = np.einsum("nk,nkj->nj", shares, tri.points[tri.simplices[cells]])
+        np.testing.assert_allclose(back, queries, atol=1e-12)
+
+    def test_points_are_added_and_duplicates_told(self):
+        points = np.concatenate([CLOUDS["plane"], CLOUDS["plane"][:20]])
+        tri = spatial.Delaunay(points[:100], incremental=True)
+        tri.add_points(points[100:])
+        whole = spatial.Delaunay(points)
+        np.testing.assert_array_equal(tri.simplices, whole.simplices)
+        np.testing.assert_array_equal(tri.points, points)
+        self.assertEqual(whole.coplanar[:, [0, 2]].tolist(), [[300 + i, i] for i in range(20)])
+        self.assertTrue(all(i in whole.simplices[cell] for _, cell, i in whole.coplanar))
+        self.assertTrue((whole.vertex_to_simplex >= 0).all())
+        with self.assertRaisesRegex(spatial.QhullError, "on a line"):
+            spatial.Delaunay([[0, 0], [1, 1], [2, 2]])
+        with self.assertRaisesRegex(NotImplementedError, "furthest-site"):
+            spatial.Delaunay(SQUARE, furthest_site=True)
+        with self.assertRaisesRegex(NotImplementedError, "points have 2 coordinates here, not 3"):
+            spatial.Delaunay(CLOUDS["space"])
+
+    @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "matplotlib is not installed")
+    def test_pictures(self):
+        import matplotlib
+
+        matplotlib.use("Agg")
+        from matplotlib import pyplot
+
+        ax = pyplot.figure().gca()
+        for draw, shown, lines in (
+            (spatial.convex_hull_plot_2d, spatial.ConvexHull(SQUARE), 4),
+            (spatial.delaunay_plot_2d, spatial.Delaunay(SQUARE), 5),
+        ):
+            self.assertIs(draw(shown, ax), ax.figure)
+            self.assertEqual(len(ax.collections[-1].get_segments()), lines)
+        with self.assertRaisesRegex(ValueError, "not 2-D"):
+            spatial.convex_hull_plot_2d(spatial.ConvexHull(CLOUDS["space"]))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,375 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""scipy.spatial's ConvexHull and Delaunay, exact, with scipy's names, shapes and types: change one import.
+
+    from vtkflipflop.spatial import ConvexHull, Delaunay
+
+Arrays belong to the caller: ids are int32, and may be written to. What differs from scipy:
+
+- Every decision is exact, so nothing is joggled or merged; a QhullError means that the points span less, exactly.
+- Hulls are of points in the plane or in space, triangulations of points in the plane. Others are a
+  NotImplementedError, or scipy's own with fallback=True.
+- qhull_options are accepted, and mean nothing: a warning says so once. "QG" and "QV", furthest_site=True and lower
+  dimensions are scipy's alone.
+- Points on a facet or at another's position are no vertices.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cached_property
+from importlib import import_module
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._edit import EditableTriangulation
+from ._errors import warn_caller
+from ._hull import convex_hull
+from ._input import is_array_like
+
+__all__ = ["ConvexHull", "Delaunay", "QhullError", "convex_hull_plot_2d", "delaunay_plot_2d", "tsearch"]
+
+Rows = NDArray[np.float64]
+Ints = NDArray[np.int32]
+_said: set[str] = set()
+
+
+class QhullError(RuntimeError):
+    """The points span less than their space."""
+
+
+class _Incremental:
+    """Points to which others can be added, and what is made of them. Made anew, what is asked for is computed again."""
+
+    _dimensions: tuple[int, ...]
+    points: Rows
+
+    def __new__(cls, points: ArrayLike, *arguments: Any, fallback: bool = False, **settings: Any) -> Any:
+        """With fallback, scipy's own object where this class has none."""
+        rows = _rows_of(points)
+        why_not = cls._why_not(rows, *arguments, **settings)
+        if why_not and not fallback:
+            raise NotImplementedError(f"{why_not}: take scipy.spatial.{cls.__name__}, or pass fallback=True")
+        if why_not:
+            return getattr(import_module("scipy.spatial"), cls.__name__)(points, *arguments, **settings)
+        return super().__new__(cls)
+
+    @classmethod
+    def _why_not(cls, rows: Rows, *arguments: Any, **settings: Any) -> str:
+        options = str(settings.get("qhull_options") or next((a for a in arguments if isinstance(a, str)), ""))
+        if re.search(r"\bQ[GV]", options):
+            return f"qhull_options {options!r} choose facets"
+        if rows.shape[1] not in cls._dimensions:
+            wanted = " or ".join(map(str, cls._dimensions))
+            return f"points have {wanted} coordinates here, not {rows.shape[1]}"
+        return ""
+
+    def __init__(
+        self, points: ArrayLike, incremental: bool = False, qhull_options: str | None = None, *, fallback: bool = False
+    ) -> None:
+        if qhull_options and qhull_options not in _said:
+            _said.add(qhull_options)
+            warn_caller(f"qhull_options {qhull_options!r} mean nothing here: all decisions are exact")
+        self._incremental, self._is_open = bool(incremental), True
+        self._take(_rows_of(points))
+
+    def _take(self, rows: Rows) -> None:
+        raise NotImplementedError
+
+    def add_points(self, points: ArrayLike, restart: bool = False) -> None:
+        """Add points after the others; with restart, from nothing."""
+        if not self._is_open:
+            raise RuntimeError("this instance is closed")
+        if not self._incremental:
+            raise RuntimeError("incremental mode not enabled or already closed")
+        rows = _rows_of(points)
+        if rows.shape[1] != self.ndim:
+            raise ValueError(f"invalid size for new points array: {rows.shape}")
+        if restart:
+            self._take(np.concatenate([self.points, rows]))
+        else:
+            self._extend(rows)
+
+    def _forget(self) -> None:
+        """What was computed of the points before."""
+        for name in [name for name in self.__dict__ if isinstance(getattr(type(self), name, None), cached_property)]:
+            del self.__dict__[name]
+
+    def _extend(self, rows: Rows) -> None:
+        raise NotImplementedError
+
+    def close(self) -> None:
+        """No more points are added."""
+        self._is_open = self._incremental = False
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
+
+    @property
+    def ndim(self) -> int:
+        return int(self.points.shape[1])
+
+    @property
+    def npoints(self) -> int:
+        return len(self.points)
+
+    @cached_property
+    def min_bound(self) -> Rows:
+        return np.asarray(self.points.min(axis=0))
+
+    @cached_property
+    def max_bound(self) -> Rows:
+        return np.asarray(self.points.max(axis=0))
+
+
+class ConvexHull(_Incremental):
+    """The convex hull of points in the plane or in space, as scipy.spatial.ConvexHull.
+
+    Attributes
+    ----------
+    points, ndim, npoints, min_bound, max_bound
+        as given; bounds of all points
+    vertices : ndarray of int
+        in the plane counter-clockwise, in space ascending
+    simplices, neighbors : ndarray of nsimplex by ndim
+        facets, in space as triangles counter-clockwise from outside; for each corner the facet opposite to it
+    equations : ndarray of nsimplex by ndim + 1
+        outward unit normals and offsets
+    coplanar : ndarray of 0 by 3
+    good : None
+    volume, area : float
+        in the plane, area and perimeter
+    """
+
+    _dimensions = (2, 3)
+    coplanar: Ints = np.empty((0, 3), np.int32)
+    good = None
+
+    def _take(self, rows: Rows, kept: NDArray[np.int64] | None = None) -> None:
+        """kept: the hull is that of these rows"""
+        hull = convex_hull(rows if kept is None else rows[kept])
+        if hull.dimension < rows.shape[1]:
+            raise QhullError(_flat(hull.dimension, rows.shape[1], len(rows)))
+        self._forget()
+        self.points, self._hull, self._kept = rows, hull, kept
+
+    def _extend(self, rows: Rows) -> None:
+        """By the hull of the vertices and the new points."""
+        whole = np.concatenate([self.points, rows])
+        self._take(whole, np.concatenate([np.sort(self.vertices), np.arange(self.npoints, len(whole))]))
+
+    def _own(self, found: NDArray[Any]) -> Ints:
+        return (found if self._kept is None else self._kept[found]).astype(np.int32)
+
+    @cached_property
+    def vertices(self) -> Ints:
+        return self._own(self._hull.vertices)
+
+    @cached_property
+    def simplices(self) -> Ints:
+        return self._own(self._hull.simplices)
+
+    @cached_property
+    def neighbors(self) -> Ints:
+        return self._hull.neighbors.astype(np.int32)
+
+    @cached_property
+    def equations(self) -> Rows:
+        return self._hull.equations.copy()
+
+    @property
+    def nsimplex(self) -> int:
+        return self._hull.nsimplex
+
+    @property
+    def volume(self) -> float:
+        return self._hull.volume
+
+    @property
+    def area(self) -> float:
+        return self._hull.area
+
+
+class Delaunay(_Incremental):
+    """The Delaunay triangulation of points in the plane, as scipy.spatial.Delaunay.
+
+    Attributes
+    ----------
+    points, ndim, npoints, min_bound, max_bound
+        as given; bounds of all points
+    simplices, neighbors : ndarray of nsimplex by 3
+        triangles, counter-clockwise; for each corner the triangle opposite to it, -1 where there is none
+    equations : ndarray of nsimplex by 4
+        of each triangle on the paraboloid, the downward unit normal and the offset; rounded
+    coplanar : ndarray of k by 3
+        the points that are at another's position, a triangle there, and the other
+    convex_hull : ndarray of m by 2
+    vertex_to_simplex : ndarray of npoints
+    vertex_neighbor_vertices : (indptr, indices)
+    transform : ndarray of nsimplex by 3 by 2
+        from positions to barycentric coordinates; NaN of triangles that are too thin for doubles, as in scipy
+    """
+
+    _dimensions = (2,)
+    paraboloid_scale, paraboloid_shift = 1.0, 0.0
+    furthest_site = False
+
+    @classmethod
+    def _why_not(cls, rows: Rows, *arguments: Any, **settings: Any) -> str:
+        furthest = settings.get("furthest_site", arguments[0] if arguments else False)
+        return "furthest-site triangulations are not here" if furthest else super()._why_not(rows, *arguments, **settings)
+
+    def __init__(
+        self,
+        points: ArrayLike,
+        furthest_site: bool = False,
+        incremental: bool = False,
+        qhull_options: str | None = None,
+        *,
+        fallback: bool = False,
+    ) -> None:
+        super().__init__(points, incremental, qhull_options, fallback=fallback)
+
+    def _take(self, rows: Rows) -> None:
+        self._show(rows, EditableTriangulation(rows))
+
+    def _extend(self, rows: Rows) -> None:
+        self._edited.insert(rows)
+        self._show(np.concatenate([self.points, rows]), self._edited)
+
+    def _show(self, rows: Rows, edited: EditableTriangulation) -> None:
+        found = edited.snapshot()
+        if found.dimension < 2:
+            raise QhullError(_flat(found.dimension, 2, len(rows)))
+        self._forget()
+        self.points, self._edited, self._found = rows, edited, found
+
+    @cached_property
+    def simplices(self) -> Ints:
+        return self._found.simplices.astype(np.int32)
+
+    @cached_property
+    def neighbors(self) -> Ints:
+        return self._found.neighbors.astype(np.int32)
+
+    @cached_property
+    def convex_hull(self) -> Ints:
+        return self._found.convex_hull.astype(np.int32)
+
+    @cached_property
+    def vertex_to_simplex(self) -> Ints:
+        found = self._found.vertex_to_simplex.astype(np.int32)
+        found[self.coplanar[:, 0]] = self.coplanar[:, 1]
+        return found
+
+    @cached_property
+    def vertex_neighbor_vertices(self) -> tuple[Ints, Ints]:
+        first, ids = self._found.vertex_neighbor_vertices
+        return first.astype(np.int32), ids.astype(np.int32)
+
+    @cached_property
+    def coplanar(self) -> Ints:
+        hidden = self._found.hidden
+        if not len(hidden):
+            return np.empty((0, 3), np.int32)
+        positions = self.points[hidden]
+        found = hidden, self._found.locate(positions), self._found.nearest(positions)
+        return np.column_stack(found).astype(np.int32)
+
+    @property
+    def nsimplex(self) -> int:
+        return self._found.nsimplex
+
+    @cached_property
+    def transform(self) -> NDArray[np.float64]:
+        corners = self.points[self.simplices]
+        last = corners[:, 2]
+        sides = np.moveaxis(corners[:, :2] - last[:, None], 1, 2)
+        made = np.empty((len(corners), 3, 2))
+        with np.errstate(all="ignore"):
+            determinant = sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0]
+            made[:, 0, 0], made[:, 0, 1] = sides[:, 1, 1] / determinant, -sides[:, 0, 1] / determinant
+            made[:, 1, 0], made[:, 1, 1] = -sides[:, 1, 0] / determinant, sides[:, 0, 0] / determinant
+            sizes = [np.abs(some).sum(axis=1).max(axis=1) for some in (sides, made[:, :2])]
+            is_bad = ~(sizes[0] * sizes[1] * (1000 * np.finfo(float).eps) < 1)
+        made[:, 2] = last
+        made[is_bad] = np.nan
+        return made
+
+    @cached_property
+    def equations(self) -> Rows:
+        a, b, c = np.moveaxis(self.lift_points(self.points[self.simplices]), 1, 0)
+        normals = -np.cross(b - a, c - a)
+        normals /= np.linalg.norm(normals, axis=1)[:, None]
+        return np.column_stack([normals, -(normals * a).sum(axis=1)])
+
+    def find_simplex(self, xi: ArrayLike, bruteforce: bool = False, tol: float | None = None) -> Ints:
+        """The triangle that holds each position, exactly, of several the lowest; -1 outside. A tolerance does not matter."""
+        found = self._found.locate(np.asarray(xi, np.float64), non_finite="ignore")
+        return np.asarray(found, np.int32)
+
+    def lift_points(self, x: ArrayLike) -> NDArray[np.float64]:
+        """Positions on the paraboloid."""
+        rows = np.asarray(x, np.float64)
+        return np.concatenate([rows, (rows * rows).sum(axis=-1, keepdims=True)], axis=-1)
+
+    def plane_distance(self, xi: ArrayLike) -> NDArray[np.float64]:
+        """The distance of each lifted position from the plane of each lifted triangle."""
+        lifted = self.lift_points(xi)
+        return np.asarray(lifted @ self.equations[:, :3].T + self.equations[:, 3])
+
+
+def tsearch(tri: Delaunay, xi: ArrayLike) -> Ints:
+    """tri.find_simplex(xi)."""
+    return tri.find_simplex(xi)
+
+
+def convex_hull_plot_2d(hull: ConvexHull, ax: Any = None) -> Any:
+    """Draw a hull in the plane, with matplotlib. Returns the figure."""
+    return _drawn(hull.points, hull.points[hull.simplices], ax)
+
+
+def delaunay_plot_2d(tri: Delaunay, ax: Any = None) -> Any:
+    """Draw a triangulation, with matplotlib. Returns the figure."""
+    return _drawn(tri.points, tri.points[tri._found.edges], ax)
+
+
+def _drawn(points: Rows, lines: Rows, ax: Any) -> Any:
+    from matplotlib import pyplot
+    from matplotlib.collections import LineCollection
+
+    if points.shape[1] != 2:
+        raise ValueError("points are not 2-D")
+    axes = pyplot.figure().gca() if ax is None else ax
+    axes.plot(points[:, 0], points[:, 1], "o")
+    axes.add_collection(LineCollection(list(lines), colors="k", linestyles="solid"))
+    axes.margins(0.1)
+    return axes.figure
+
+
+def _rows_of(points: Any) -> Rows:
+    """As scipy takes them: doubles, a copy, finite."""
+    if np.ma.isMaskedArray(points):
+        raise ValueError("Input points cannot be a masked array")
+    if not is_array_like(points):
+        raise TypeError(f"points are an array of n by 2 or n by 3 numbers, not {points!r}")
+    rows = np.array(points, np.float64, order="C")
+    if rows.ndim != 2:
+        raise ValueError("`points` is not 2-D array")
+    if rows.shape[1] < 2:
+        raise ValueError("Need at least 2-D data")
+    if np.isnan(rows).any():
+        raise ValueError("Points cannot contain NaN")
+    if not np.isfinite(rows).all():
+        raise ValueError("Points cannot contain infinity")
+    return rows
+
+
+def _flat(dimension: int, space: int, count: int) -> str:
+    what = {-1: "there is no point", 0: "all points are at one position", 1: "all points are on a line"}
+    return f"{what.get(dimension, 'all points are in one plane')}: {count} points span less than {space} dimensions"
