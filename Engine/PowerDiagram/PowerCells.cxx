@@ -353,6 +353,21 @@ private:
 
 }
 
+void writeCenters(
+  const CellComplex& t, const Buffer<PowerSite>& sites, double* centers, Monitor& monitor)
+{
+  eachCheckedChunk(static_cast<std::size_t>(t.cellCount()), FacetsPerTask,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    {
+      for (std::size_t f = begin; f < end; ++f)
+      {
+        const auto triangle = triangleOf(t, sites, static_cast<std::int64_t>(f));
+        centerOf(*triangle[0], *triangle[1], *triangle[2], centers + 2 * f);
+      }
+      monitor.advance(static_cast<std::int64_t>(end - begin));
+    });
+}
+
 RoundedCells roundedCells(const CellComplex& t, const std::uint8_t* wanted,
   const Buffer<PowerSite>& sites, const std::vector<double>& polygon, bool isBox, Monitor& monitor)
 {

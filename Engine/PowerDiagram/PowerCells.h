@@ -27,6 +27,14 @@ namespace flipflop
 RoundedCells roundedCells(const CellComplex& t, const std::uint8_t* wanted,
   const Buffer<PowerSite>& sites, const std::vector<double>& polygon, bool isBox, Monitor& monitor);
 
+/// The center of each facet, each coordinate rounded to nearest.
+/// @param t       checked by requireCells(), of dimension 2
+/// @param centers receives x and y of each
+/// @param monitor is in a stage of one for each facet
+/// @throw Error   BadArgument (what is no triangulation), Aborted
+void writeCenters(
+  const CellComplex& t, const Buffer<PowerSite>& sites, double* centers, Monitor& monitor);
+
 }
 
 #endif

@@ -96,4 +96,29 @@ bool powerCells(const PointView& points, const WeightView& weights, const CellCo
     });
 }
 
+void facetCenters(const PointView& points, const WeightView& weights,
+  const Triangulation& triangulation, double* centers, const Options& options)
+{
+  engineCall(
+    [&]
+    {
+      if (triangulation.cellCount() > 0 && (triangulation.dimension != 2 || !centers))
+      {
+        throw badArgument(
+          "the cells must be triangles or polygons, with an array for their centers");
+      }
+      Monitor monitor(options);
+      monitor.stage(0.0, 1.0, triangulation.cellCount(), "making cells");
+      ArenaLoan arena(threadCount(options.threads, triangulation.cellCount()));
+      arena.execute(
+        [&]
+        {
+          const Buffer<PowerSite> sites = loadSites(points, weights, triangulation);
+          requireCells(triangulation);
+          writeCenters(triangulation, sites, centers, monitor);
+        });
+      monitor.stage(1.0, 1.0, 1);
+    });
+}
+
 }

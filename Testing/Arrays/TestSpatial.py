@@ -3,11 +3,14 @@
 """vtkflipflop.spatial is scipy.spatial by another import: names, shapes, types, errors; and the same answers."""
 
 import importlib.util
+import itertools
 import unittest
 import warnings
+from fractions import Fraction
 
 import numpy as np
 from vtkflipflop import spatial
+from vtkflipflop.arrays import power_diagram
 
 HAS_SCIPY = importlib.util.find_spec("scipy") is not None
 RANDOM = np.random.default_rng(12)
@@ -167,11 +170,94 @@ class TestTriangulations(unittest.TestCase):
         for draw, shown, lines in (
             (spatial.convex_hull_plot_2d, spatial.ConvexHull(SQUARE), 4),
             (spatial.delaunay_plot_2d, spatial.Delaunay(SQUARE), 5),
+            (spatial.voronoi_plot_2d, spatial.Voronoi(SQUARE), 4),
         ):
             self.assertIs(draw(shown, ax), ax.figure)
-            self.assertEqual(len(ax.collections[-1].get_segments()), lines)
+            self.assertEqual(sum(len(some.get_segments()) for some in ax.collections[-2:]), lines)
         with self.assertRaisesRegex(ValueError, "not 2-D"):
             spatial.convex_hull_plot_2d(spatial.ConvexHull(CLOUDS["space"]))
+
+
+class TestDiagrams(unittest.TestCase):
+    @unittest.skipUnless(HAS_SCIPY, "scipy is not installed")
+    def test_as_scipy(self):
+        import scipy.spatial
+
+        points = CLOUDS["plane"]
+        found, wanted = spatial.Voronoi(points), scipy.spatial.Voronoi(points)
+        order, other = (np.lexsort(np.round(diagram.vertices, 9).T) for diagram in (found, wanted))
+        np.testing.assert_allclose(found.vertices[order], wanted.vertices[other], rtol=1e-9)
+        number = {-1: -1, **dict(zip(order.tolist(), other.tolist()))}
+        ridges = {tuple(sorted(pair)): set(ends) for pair, ends in zip(wanted.ridge_points.tolist(), wanted.ridge_vertices)}
+        self.assertEqual({pair: {number[i] for i in ends} for pair, ends in found.ridge_dict.items()}, ridges)
+        for i in range(len(points)):
+            mine, theirs = (diagram.regions[diagram.point_region[i]] for diagram in (found, wanted))
+            self.assertEqual({number[k] for k in mine}, set(theirs))
+        self.assertEqual(len(found.regions), len(wanted.regions))
+        for attribute in ("vertices", "ridge_points"):
+            one, another = getattr(found, attribute), getattr(wanted, attribute)
+            self.assertEqual((one.dtype, one.shape), (another.dtype, another.shape), attribute)
+
+    def test_by_rationals(self):
+        """Vertices are all centers of circles through three points that have none inside, rounded once."""
+        for seed in range(2000):
+            random = np.random.default_rng(seed)
+            points = np.unique(random.integers(0, 5, (7, 2)), axis=0) * random.choice([1.0, 0.1, 1e-160, 2.0**300])
+            circles = _empty_circles(points)
+            if not circles:
+                continue
+            diagram = spatial.Voronoi(points)
+            self.assertEqual({tuple(row) for row in diagram.vertices.tolist()}, set(circles.values()), f"seed {seed}")
+            # One vertex far away ends all rays.
+            cells = len(diagram.regions) - 1
+            self.assertEqual(len(diagram.vertices) + 1 - len(diagram.ridge_points) + cells, 2, f"seed {seed}")
+
+    def test_cells_are_those_in_a_box(self):
+        points = np.concatenate([CLOUDS["plane"], np.mgrid[0:6, 0:6].reshape(2, -1).T + 2.0, CLOUDS["plane"][:5]])
+        diagram = spatial.Voronoi(points)
+        boxed = power_diagram(points, domain=(-1000, 1000, -1000, 1000))
+        corners = {site: boxed.vertices[region] for site, region in zip(boxed.sites.tolist(), boxed.regions)}
+        bounded = 0
+        for i in range(len(points) - 5):
+            region = diagram.regions[diagram.point_region[i]]
+            own = diagram.vertices[[k for k in region if k >= 0]]
+            if -1 not in region and np.abs(own).max() < 1000:
+                bounded += 1
+                self.assertEqual(set(map(tuple, own)), set(map(tuple, corners[i])))
+                turns = np.cross(np.column_stack([np.roll(own, -1, axis=0) - own, np.zeros(len(own))]),
+                                 np.column_stack([np.roll(own, -2, axis=0) - own, np.zeros(len(own))]))[:, 2]
+                self.assertGreater(turns.min(), -1e-12)
+        self.assertGreater(bounded, 250)
+        np.testing.assert_array_equal(diagram.point_region[-5:], diagram.point_region[:5])
+
+    def test_points_are_added(self):
+        points = CLOUDS["plane"]
+        diagram = spatial.Voronoi(points[:100], incremental=True)
+        diagram.add_points(points[100:])
+        whole = spatial.Voronoi(points)
+        np.testing.assert_array_equal(diagram.vertices, whole.vertices)
+        self.assertEqual(diagram.regions, whole.regions)
+        with self.assertWarnsRegex(UserWarning, "'Qbb Qc' mean nothing here"):
+            self.assertEqual(len(spatial.Voronoi(points, qhull_options="Qbb Qc").regions), 300)
+        with self.assertRaisesRegex(spatial.QhullError, "on a line"):
+            spatial.Voronoi([[0, 0], [1, 1], [2, 2]])
+
+
+def _empty_circles(points):
+    """The centers, as pairs of fractions, of circles through three points without one inside; and these rounded."""
+    rows = [tuple(map(Fraction, row)) for row in points.tolist()]
+    found = {}
+    for a, b, c in itertools.combinations(rows, 3):
+        u, v = ((b[0] - a[0], b[1] - a[1]), (c[0] - a[0], c[1] - a[1]))
+        cross = 2 * (u[0] * v[1] - u[1] * v[0])
+        if cross == 0:
+            continue
+        p, q = u[0] ** 2 + u[1] ** 2, v[0] ** 2 + v[1] ** 2
+        center = a[0] + (p * v[1] - q * u[1]) / cross, a[1] + (q * u[0] - p * v[0]) / cross
+        radius = (center[0] - a[0]) ** 2 + (center[1] - a[1]) ** 2
+        if all((center[0] - x) ** 2 + (center[1] - y) ** 2 >= radius for x, y in rows):
+            found[center] = tuple(map(float, center))
+    return found
 
 
 if __name__ == "__main__":

@@ -322,6 +322,20 @@ void bindQueries(nb::module_& module)
         [&](double* areas, double* centroids)
         { cellMeasures(positions, *triangulation.result, areas, centroids); });
     });
+  module.def(
+    "facet_centers",
+    [](const InputArray& points, const std::optional<InputArray>& weights,
+      const Handle<Triangulation>& triangulation, const Settings& settings)
+    {
+      const PointView positions = pointView(points, 2);
+      const WeightView given = weightView(weights);
+      const auto cells = static_cast<std::size_t>(triangulation.result->cellCount());
+      Buffer<double> centers(2 * cells);
+      settings.run([&](const Options& options)
+        { facetCenters(positions, given, *triangulation.result, centers.data(), options); });
+      return arrayOf(std::move(centers), { cells, std::size_t(2) });
+    },
+    "points"_a, "weights"_a.none(), "triangulation"_a, "settings"_a);
   module.def("cells_within_edge_length",
     [](const InputArray& points, const Handle<Triangulation>& triangulation, double limit,
       const Settings& settings)

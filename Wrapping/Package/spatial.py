@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""scipy.spatial's ConvexHull and Delaunay, exact, with scipy's names, shapes and types: change one import.
+"""scipy.spatial's ConvexHull, Delaunay and Voronoi, exact, with scipy's names, shapes and types: change one import.
 
-    from vtkflipflop.spatial import ConvexHull, Delaunay
+    from vtkflipflop.spatial import ConvexHull, Delaunay, Voronoi
 
 Arrays belong to the caller: ids are int32, and may be written to. What differs from scipy:
 
 - Every decision is exact, so nothing is joggled or merged; a QhullError means that the points span less, exactly.
-- Hulls are of points in the plane or in space, triangulations of points in the plane. Others are a
+- Hulls are of points in the plane or in space, triangulations and diagrams of points in the plane. Others are a
   NotImplementedError, or scipy's own with fallback=True.
 - qhull_options are accepted, and mean nothing: a warning says so once. "QG" and "QV", furthest_site=True and lower
   dimensions are scipy's alone.
@@ -24,12 +24,24 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import _core
 from ._edit import EditableTriangulation
 from ._errors import warn_caller
 from ._hull import convex_hull
 from ._input import is_array_like
+from ._results import QUIET
+from ._triangulation import RegularTriangulation, regular_triangulation
 
-__all__ = ["ConvexHull", "Delaunay", "QhullError", "convex_hull_plot_2d", "delaunay_plot_2d", "tsearch"]
+__all__ = [
+    "ConvexHull",
+    "Delaunay",
+    "QhullError",
+    "Voronoi",
+    "convex_hull_plot_2d",
+    "delaunay_plot_2d",
+    "tsearch",
+    "voronoi_plot_2d",
+]
 
 Rows = NDArray[np.float64]
 Ints = NDArray[np.int32]
@@ -72,7 +84,7 @@ class _Incremental:
         if qhull_options and qhull_options not in _said:
             _said.add(qhull_options)
             warn_caller(f"qhull_options {qhull_options!r} mean nothing here: all decisions are exact")
-        self._incremental, self._is_open = bool(incremental), True
+        self._incremental, self._is_open, self._options = bool(incremental), True, qhull_options
         self._take(_rows_of(points))
 
     def _take(self, rows: Rows) -> None:
@@ -195,34 +207,16 @@ class ConvexHull(_Incremental):
         return self._hull.area
 
 
-class Delaunay(_Incremental):
-    """The Delaunay triangulation of points in the plane, as scipy.spatial.Delaunay.
-
-    Attributes
-    ----------
-    points, ndim, npoints, min_bound, max_bound
-        as given; bounds of all points
-    simplices, neighbors : ndarray of nsimplex by 3
-        triangles, counter-clockwise; for each corner the triangle opposite to it, -1 where there is none
-    equations : ndarray of nsimplex by 4
-        of each triangle on the paraboloid, the downward unit normal and the offset; rounded
-    coplanar : ndarray of k by 3
-        the points that are at another's position, a triangle there, and the other
-    convex_hull : ndarray of m by 2
-    vertex_to_simplex : ndarray of npoints
-    vertex_neighbor_vertices : (indptr, indices)
-    transform : ndarray of nsimplex by 3 by 2
-        from positions to barycentric coordinates; NaN of triangles that are too thin for doubles, as in scipy
-    """
+class _OfPlane(_Incremental):
+    """What is made of a Delaunay triangulation, which can be edited."""
 
     _dimensions = (2,)
-    paraboloid_scale, paraboloid_shift = 1.0, 0.0
     furthest_site = False
 
     @classmethod
     def _why_not(cls, rows: Rows, *arguments: Any, **settings: Any) -> str:
         furthest = settings.get("furthest_site", arguments[0] if arguments else False)
-        return "furthest-site triangulations are not here" if furthest else super()._why_not(rows, *arguments, **settings)
+        return "furthest-site triangulations and diagrams are not here" if furthest else super()._why_not(rows, *arguments, **settings)
 
     def __init__(
         self,
@@ -248,6 +242,29 @@ class Delaunay(_Incremental):
             raise QhullError(_flat(found.dimension, 2, len(rows)))
         self._forget()
         self.points, self._edited, self._found = rows, edited, found
+
+
+class Delaunay(_OfPlane):
+    """The Delaunay triangulation of points in the plane, as scipy.spatial.Delaunay.
+
+    Attributes
+    ----------
+    points, ndim, npoints, min_bound, max_bound
+        as given; bounds of all points
+    simplices, neighbors : ndarray of nsimplex by 3
+        triangles, counter-clockwise; for each corner the triangle opposite to it, -1 where there is none
+    equations : ndarray of nsimplex by 4
+        of each triangle on the paraboloid, the downward unit normal and the offset; rounded
+    coplanar : ndarray of k by 3
+        the points that are at another's position, a triangle there, and the other
+    convex_hull : ndarray of m by 2
+    vertex_to_simplex : ndarray of npoints
+    vertex_neighbor_vertices : (indptr, indices)
+    transform : ndarray of nsimplex by 3 by 2
+        from positions to barycentric coordinates; NaN of triangles that are too thin for doubles, as in scipy
+    """
+
+    paraboloid_scale, paraboloid_shift = 1.0, 0.0
 
     @cached_property
     def simplices(self) -> Ints:
@@ -324,6 +341,111 @@ class Delaunay(_Incremental):
         return np.asarray(lifted @ self.equations[:, :3].T + self.equations[:, 3])
 
 
+class Voronoi(_OfPlane):
+    """The Voronoi diagram of points in the plane, with unbounded cells, as scipy.spatial.Voronoi.
+
+    Attributes
+    ----------
+    points, ndim, npoints, min_bound, max_bound
+        as given; bounds of all points
+    vertices : ndarray of k by 2
+        where three cells or more meet, exactly; each coordinate rounded once
+    ridge_points : ndarray of m by 2
+        the points between which each side is, the lower id first
+    ridge_vertices : list of m pairs
+        its ends, -1 first where it has no end
+    ridge_dict : dict
+        of pairs of points, the lower id first, the ends of the side between them
+    regions : list of lists
+        first an empty one, as scipy has it unless qhull_options lack "Qz"; then of each cell the vertices,
+        counter-clockwise, -1 where it is open
+    point_region : ndarray of npoints
+        the region of each point; of those at another's position, the other's
+    """
+
+    @cached_property
+    def vertices(self) -> Rows:
+        return _core.facet_centers(self.points, None, self._facets._core, QUIET).copy()
+
+    @property
+    def ridge_points(self) -> Ints:
+        return self._ridges[0]
+
+    @property
+    def ridge_vertices(self) -> list[list[int]]:
+        return self._ridges[1]
+
+    @cached_property
+    def ridge_dict(self) -> dict[tuple[int, int], list[int]]:
+        return dict(zip(map(tuple, self.ridge_points.tolist()), self.ridge_vertices))
+
+    @property
+    def regions(self) -> list[list[int]]:
+        return self._cells[0]
+
+    @property
+    def point_region(self) -> Ints:
+        return self._cells[1]
+
+    @cached_property
+    def _facets(self) -> RegularTriangulation:
+        return regular_triangulation(self.points, facets="polygons")
+
+    @cached_property
+    def _edges(self) -> tuple[Any, Any, Any, Any]:
+        """Of each edge of each facet the ends, counter-clockwise, the facet, and the number of the same edge in the
+        other direction; -1: none."""
+        polygons = self._facets.polygons
+        facet = np.repeat(np.arange(len(polygons)), np.diff(polygons.offsets))
+        tails, heads = polygons.connectivity, np.roll(polygons.connectivity, -1)
+        heads[polygons.offsets[1:] - 1] = tails[polygons.offsets[:-1]]
+        keys, back = tails * self.npoints + heads, heads * self.npoints + tails
+        order = np.argsort(keys)
+        at = np.minimum(np.searchsorted(keys, back, sorter=order), len(keys) - 1)
+        twins = np.where(keys[order[at]] == back, order[at], -1)
+        return tails, heads, facet, twins
+
+    @cached_property
+    def _ridges(self) -> tuple[Ints, list[list[int]]]:
+        tails, heads, facet, twins = self._edges
+        chosen = np.flatnonzero((twins < 0) | (tails < heads))
+        points = np.sort(np.column_stack([tails[chosen], heads[chosen]]), axis=1)
+        ends = np.column_stack([np.where(twins[chosen] < 0, -1, facet[twins[chosen]]), facet[chosen]])
+        return points.astype(np.int32), ends.tolist()
+
+    @cached_property
+    def _cells(self) -> tuple[list[list[int]], Ints]:
+        """From facet to facet around all points at once."""
+        tails, _, facet, twins = self._edges
+        offsets = self._facets.polygons.offsets
+        before = np.arange(len(tails)) - 1
+        before[offsets[:-1]] = offsets[1:] - 1
+        onward = twins[before]  # the next edge from the same point, counter-clockwise
+        sites = self._facets.vertices
+        first = np.full(self.npoints, -1)
+        first[tails[::-1]] = np.arange(len(tails))[::-1]
+        first[tails[twins < 0]] = np.flatnonzero(twins < 0)  # open cells begin at the border
+        extra = int("Qz" in (self._options or "Qz"))
+        regions: list[list[int]] = [[] for _ in range(extra + len(sites))]
+        at, rows = first[sites], np.arange(len(sites))
+        is_open = twins[at] < 0
+        for row in np.flatnonzero(is_open).tolist():
+            regions[extra + row].append(-1)
+        begin = at.copy()
+        while len(rows):
+            for row, vertex in zip(rows.tolist(), facet[at].tolist()):
+                regions[extra + row].append(vertex)
+            at = onward[at]
+            goes_on = (at >= 0) & (at != begin[rows])
+            rows, at = rows[goes_on], at[goes_on]
+        numbers = np.full(self.npoints, -1)
+        numbers[sites] = extra + np.arange(len(sites))
+        hidden = self._facets.hidden
+        if len(hidden):
+            numbers[hidden] = numbers[np.asarray(self._facets.nearest(self.points[hidden]))]
+        return regions, numbers.astype(np.int32)
+
+
 def tsearch(tri: Delaunay, xi: ArrayLike) -> Ints:
     """tri.find_simplex(xi)."""
     return tri.find_simplex(xi)
@@ -339,15 +461,41 @@ def delaunay_plot_2d(tri: Delaunay, ax: Any = None) -> Any:
     return _drawn(tri.points, tri.points[tri._found.edges], ax)
 
 
-def _drawn(points: Rows, lines: Rows, ax: Any) -> Any:
+def voronoi_plot_2d(
+    vor: Voronoi, ax: Any = None, *, show_points: bool = True, show_vertices: bool = True, **line: Any
+) -> Any:
+    """Draw a diagram, with matplotlib: sides without an end are dashed. Returns the figure.
+
+    line: line_colors, line_width, line_alpha, point_size, as scipy's
+    """
+    center, width = vor.points.mean(axis=0), np.ptp(vor.points, axis=0).max()
+    ends = np.array(vor.ridge_vertices)
+    is_open = ends[:, 0] < 0
+    lines, far = vor.vertices[ends], vor.points[vor.ridge_points]
+    normals = np.column_stack([-(far[:, 1] - far[:, 0])[:, 1], (far[:, 1] - far[:, 0])[:, 0]])
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    normals *= np.sign(((far.mean(axis=1) - center) * normals).sum(axis=1))[:, None]
+    lines[is_open, 0] = lines[is_open, 1] + width * normals[is_open]
+    kept = show_points, show_vertices
+    return _drawn(
+        vor.points[: len(vor.points) * kept[0]], lines, ax, is_open, vor.vertices[: len(vor.vertices) * kept[1]], line
+    )
+
+
+def _drawn(points: Rows, lines: Rows, ax: Any, is_open: Any = None, vertices: Any = None, line: Any = None) -> Any:
     from matplotlib import pyplot
     from matplotlib.collections import LineCollection
 
     if points.shape[1] != 2:
         raise ValueError("points are not 2-D")
-    axes = pyplot.figure().gca() if ax is None else ax
-    axes.plot(points[:, 0], points[:, 1], "o")
-    axes.add_collection(LineCollection(list(lines), colors="k", linestyles="solid"))
+    axes, chosen = pyplot.figure().gca() if ax is None else ax, line or {}
+    look = {"colors": chosen.get("line_colors", "k"), "lw": chosen.get("line_width"), "alpha": chosen.get("line_alpha")}
+    axes.plot(points[:, 0], points[:, 1], "o" if vertices is None else ".", markersize=chosen.get("point_size"))
+    if vertices is not None:
+        axes.plot(vertices[:, 0], vertices[:, 1], "o")
+    dashed = np.zeros(len(lines), bool) if is_open is None else is_open
+    for style, some in (("solid", lines[~dashed]), ("dashed", lines[dashed])):
+        axes.add_collection(LineCollection(list(some), linestyles=style, **look))
     axes.margins(0.1)
     return axes.figure
 

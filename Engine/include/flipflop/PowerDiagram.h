@@ -113,6 +113,19 @@ bool powerCells(const PointView& points, const WeightView& weights, const CellCo
   const std::uint8_t* wanted, const double* box, PowerDiagram& diagram,
   const Options& options = Options());
 
+/// The corners of the unbounded diagram: for each facet, the point of equal power to its corners,
+/// in other words the center of its circle. Two facets that share an edge share a side of the
+/// diagram.
+/// @param points, weights as they were triangulated
+/// @param triangulation of these; of dimension 2, unless it has no cell
+/// @param centers       receives x and y for each cell, each rounded to the nearest double,
+/// infinite
+///                      beyond these
+/// @param options       the threads and the progress function
+/// @throw Error         as powerDiagram()
+void facetCenters(const PointView& points, const WeightView& weights,
+  const Triangulation& triangulation, double* centers, const Options& options = Options());
+
 /// A box for powerDiagram(): that of the points that appear, which is that of all finite ones, for
 /// a corner of their hull is never hidden. A range of one value becomes as wide as the other (1, if
 /// that has one value, too), or wider, where that would round to nothing.

@@ -358,6 +358,12 @@ void addQueriesOfTriangulations(Table& table, const CallInputs& inputs)
       return bitsWritten<double>(3 * cells,
         [&](double* values) { cellMeasures(points, *found, values, values + cells, options); });
     });
+  table.add("facetCenters", sites, true, true, bad,
+    [=](Points points, Weights weights, const Options& options)
+    {
+      return bitsWritten<double>(2 * cells,
+        [&](double* centers) { facetCenters(points, weights, *found, centers, options); });
+    });
   const auto diagram = std::make_shared<PowerDiagram>(
     powerDiagram(viewOf(sites), weightsOf(sites), *found, box.data()));
   const std::size_t regions = diagram->siteIds.size();
@@ -457,6 +463,12 @@ std::vector<CallOnCells> everyCallOnCells()
     { "cellMeasures",
       [](const Cloud& sites, const Triangulation& cells)
       { cellMeasures(viewOf(sites), cells, nullptr, nullptr); } },
+    { "facetCenters",
+      [](const Cloud& sites, const Triangulation& cells)
+      {
+        std::vector<double> centers(2 * cells.connectivity.size());
+        facetCenters(viewOf(sites), weightsOf(sites), cells, centers.data());
+      } },
     { "cellsWithinEdgeLength",
       [](const Cloud& sites, const Triangulation& cells)
       {

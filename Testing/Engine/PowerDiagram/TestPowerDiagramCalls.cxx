@@ -10,9 +10,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <set>
 #include <vector>
 
 namespace flipflop
@@ -86,6 +88,44 @@ void expectRefused(const Triangulation& triangulation, const ConvexDomain& domai
 {
   expectError([&] { powerDiagram(viewOf(square), weightsOf(square), triangulation, domain); },
     ErrorCode::BadArgument);
+}
+
+TEST(FacetCenters, AreTheCornersWithinAnyBox)
+{
+  for (const bool isWeighted : { false, true })
+  {
+    Random random(7);
+    Cloud sites;
+    for (int i = 0; i < 200; ++i)
+    {
+      const double weight = isWeighted ? 1e-3 * static_cast<double>(random.pick(10)) : 0;
+      sites.push_back(
+        { static_cast<double>(random.pick(30)), static_cast<double>(random.pick(30)), weight });
+    }
+    Options options;
+    options.facets = FacetMode::Polygons;
+    const WeightView weights = isWeighted ? weightsOf(sites) : WeightView();
+    const Triangulation facets = regularTriangulation(viewOf(sites), weights, options);
+    std::vector<double> centers(2 * static_cast<std::size_t>(facets.cellCount()));
+    facetCenters(viewOf(sites), weights, facets, centers.data());
+    double most = 0;
+    for (const double x : centers)
+    {
+      most = std::max(most, std::fabs(x));
+    }
+    const double box[4] = { -2 * most, 2 * most, -2 * most, 2 * most };
+    const PowerDiagram diagram = powerDiagram(viewOf(sites), weights, facets, box);
+    std::set<std::array<double, 2>> corners;
+    for (std::size_t i = 0; i < diagram.corners.size(); i += 2)
+    {
+      corners.insert({ diagram.corners[i], diagram.corners[i + 1] });
+    }
+    for (std::size_t i = 0; i < centers.size(); i += 2)
+    {
+      EXPECT_EQ(corners.count({ centers[i], centers[i + 1] }), 1u) << i;
+    }
+  }
+  EXPECT_NO_THROW(facetCenters(PointView(), WeightView(), Triangulation(), nullptr));
 }
 
 TEST(PowerDiagramErrors, Boxes)
