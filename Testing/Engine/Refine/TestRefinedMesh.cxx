@@ -213,6 +213,20 @@ long double coveredArea(const RefinedMesh& mesh)
   return area;
 }
 
+/// The lines in another order and direction, and the sides in another order.
+Graph shuffled(const Graph& graph)
+{
+  Graph other = graph;
+  const auto lines = static_cast<std::ptrdiff_t>(graph.ends.size()) - 2 * graph.sides;
+  std::reverse(other.ends.begin(), other.ends.begin() + lines);
+  std::reverse(other.ends.begin() + lines, other.ends.end());
+  for (std::size_t i = static_cast<std::size_t>(lines); i < other.ends.size(); i += 2)
+  {
+    std::swap(other.ends[i], other.ends[i + 1]);
+  }
+  return other;
+}
+
 std::string faultOf(const Graph& graph)
 {
   const RefinedMesh mesh = meshOf(graph);
@@ -225,13 +239,18 @@ std::string faultOf(const Graph& graph)
     graph.regions.empty() && std::fabs(coveredArea(mesh) - area) > 1e-12L * std::fabs(area);
   const bool isTheSame =
     bitsOf(mesh) == bitsOf(meshOf(graph, 2)) && bitsOf(mesh) == bitsOf(meshOf(graph, 4));
+  const RefinedMesh turned = meshOf(shuffled(graph));
+  const bool isOfAnyOrder = bitsOf(mesh.points) == bitsOf(turned.points) &&
+    bitsOf(mesh.connectivity) == bitsOf(turned.connectivity) &&
+    bitsOf(mesh.fixedEdges) == bitsOf(turned.fixedEdges);
   const std::string kept = "kept " + std::to_string(mesh.keptSegments) + " segments, " +
     std::to_string(mesh.keptTriangles) + " triangles";
   for (const std::string& fault : { mesh.isComplete ? std::string() : "it did not end",
          mesh.keptSegments + mesh.keptTriangles > 0 ? kept : "",
          isWhole ? std::string("the area that it covers") : "", shapeFault(graph, mesh),
          triangulationFault(mesh), positionFault(graph, mesh),
-         isTheSame ? std::string() : "other bits on two or four threads" })
+         isTheSame ? std::string() : "other bits on two or four threads",
+         isOfAnyOrder ? std::string() : "other bits from constraints in another order" })
   {
     if (!fault.empty())
     {
