@@ -145,8 +145,8 @@ class TestRefine(unittest.TestCase):
             (dict(maximum_area=0), ValueError, "maximum_area is above 0"),
             (dict(maximum_area=np.nan), ValueError, "maximum_area is above 0"),
             (dict(maximum_points=0), ValueError, "maximum_points is 1 or more"),
-            (dict(regions=[[2, 2]]), InputError, "inside of the mesh, on no constraint: at index 0"),
-            (dict(holes=[[0.5, 0.5], [0.5, 0.2]]), InputError, "two regions must not be in one part.*: at index 1"),
+            (dict(regions=[[2, 2]]), InputError, r"inside of the mesh, on no constraint: regions\[0\]"),
+            (dict(holes=[[0.5, 0.5], [0.5, 0.2]]), InputError, r"two regions must not be in one part.*: holes\[1\]"),
             (dict(regions=[1, 2]), ValueError, "regions are rows of 2 or 3 numbers"),
             (dict(regions=[(_polygon(SQUARE), 1)]), ValueError, "regions that are polygons go with lines"),
             (dict(regions=[(_polygon(SQUARE), -1)]), ValueError, r"the area of regions\[0\] is above 0"),
@@ -164,6 +164,8 @@ class TestRefine(unittest.TestCase):
             with self.subTest(**wrong), self.assertRaisesRegex(error, sentence), warnings.catch_warnings():
                 warnings.simplefilter("ignore")
                 refined_mesh(SQUARE, polygons=RING, **wrong)
+        with self.assertRaisesRegex(InputError, r"on no constraint: regions\[1\]"):
+            refined_mesh([], lines=_polygon(SQUARE), regions=[_polygon(SQUARE), [5, 5]])
         with self.assertRaisesRegex(ValueError, "maximum_area is no array: lines add points"):
             refined_mesh(SQUARE, lines=[], maximum_area=[1, 1, 1, 1])
         with self.assertWarnsRegex(UserWarning, "above 30 degrees"):

@@ -65,7 +65,7 @@ class PolygonRegion(NamedTuple):
 
     def holds(self, positions: Floats) -> NDArray[np.bool_]:
         box = self.lines.points[:, :2]
-        found = ((positions >= box.min(axis=0)) & (positions <= box.max(axis=0))).all(axis=1)
+        found: NDArray[np.bool_] = ((positions >= box.min(axis=0)) & (positions <= box.max(axis=0))).all(axis=1)
         found[found] = self.triangulation.locate(positions[found]) >= 0
         return found
 
@@ -85,6 +85,15 @@ class Regions(NamedTuple):
     rows: Floats
     numbers: Ids
     polygons: list[PolygonRegion]
+
+    def of_error(self, error: InputError) -> InputError:
+        """The engine's error, which tells a row, by the caller's names; of other errors, itself."""
+        sentence, _, row = str(error).partition(": at index ")
+        if "region" not in sentence or not row:
+            return error
+        number = int(self.numbers[int(row)])
+        hole = int(row) - int(np.count_nonzero(self.numbers >= 0))
+        return InputError(f"{sentence}: " + (f"regions[{number}]" if number >= 0 else f"holes[{hole}]"), error.code)
 
 
 def regions_of(regions: Any, holes: ArrayLike | None) -> Regions:

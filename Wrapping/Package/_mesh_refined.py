@@ -49,10 +49,11 @@ class Refined(JoinedPoints):
         """What the engine finds."""
         arguments = self._sides, by_direction, None, limits, regions, areas, None, ANYWHERE, area_at, settings
         pieces = np.ascontiguousarray(self._pieces)
-        self._found: dict[str, Any] = self._source.engine(
+        found: dict[str, Any] = self._source.engine(
             _core.refined_mesh, self.positions, pieces, *arguments, piece_of=self._piece_of
         )
-        return self._found
+        self._found = found
+        return found
 
     def meshes(self, pass_point_data: bool) -> list[Any]:
         """The triangles, and the edges of these that constraints run along."""

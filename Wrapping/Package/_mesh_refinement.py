@@ -85,7 +85,8 @@ def refined_mesh(
     closed = flag_of("closed_lines_as_borders", closed_lines_as_borders)
     split = flag_of("split_crossings", split_crossings)
     sizes = maximum_area if isinstance(maximum_area, str) else None
-    if np.ndim(maximum_area) != 0:
+    wanted: Any = maximum_area
+    if not callable(wanted) and np.ndim(wanted) != 0:
         raise TypeError(f"maximum_area is a number, a point array's name or a function, not {maximum_area!r}")
     areas = limits_of(None if sizes is not None else maximum_area, [], None)
     limits, rows = (least, areas.everywhere, most_points), regions_of(regions, None)
@@ -108,6 +109,8 @@ def refined_mesh(
             found = refined.found(limits, rows.rows, given, by_direction, pieces(0.1, 1.0), areas.at)
         except ConstraintError as error:
             raise InputError(str(error), "bad_argument") from None
+        except InputError as error:
+            raise rows.of_error(error) from None
         if not found["is_complete"]:
             warn_caller("maximum_points ended the refinement: some triangles are still thin, or too large")
         return refined.meshes(run.pass_data)[:1]

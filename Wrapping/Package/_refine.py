@@ -208,7 +208,8 @@ def refined_mesh(
                 part(begin, 1.0),
             )
         except InputError as error:
-            raise (error if given is None else given.of_error(error)) from None
+            named_error = parts.of_error(error)
+            raise (named_error if given is None else given.of_error(named_error)) from None
     if not found["is_complete"]:
         warn_caller("maximum_points ended the refinement: some triangles are still thin, or too large")
     found["statistics"] = named(found["statistics"])
@@ -235,7 +236,9 @@ def sums_of(rows: Floats, offsets: Ids) -> Floats:
 
 def _numbered(region_of: Ids, polygons: list[PolygonRegion], found: dict[str, Any]) -> Ids:
     """The regions of triangles, those that are polygons among them: of several, the first."""
-    centroids = found["points"][found["simplices"]].mean(axis=1) if polygons else None
+    if not polygons:
+        return frozen(region_of)
+    centroids = found["points"][found["simplices"]].mean(axis=1)
     for polygon in reversed(polygons):
         held = polygon.holds(centroids)
         region_of[held & ((region_of < 0) | (region_of > polygon.number))] = polygon.number
