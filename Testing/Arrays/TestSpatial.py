@@ -10,7 +10,7 @@ from fractions import Fraction
 
 import numpy as np
 from vtkflipflop import spatial
-from vtkflipflop.arrays import power_diagram
+from vtkflipflop.arrays import convex_hull, power_diagram
 
 HAS_SCIPY = importlib.util.find_spec("scipy") is not None
 RANDOM = np.random.default_rng(12)
@@ -241,6 +241,54 @@ class TestDiagrams(unittest.TestCase):
             self.assertEqual(len(spatial.Voronoi(points, qhull_options="Qbb Qc").regions), 300)
         with self.assertRaisesRegex(spatial.QhullError, "on a line"):
             spatial.Voronoi([[0, 0], [1, 1], [2, 2]])
+
+
+class TestSpheres(unittest.TestCase):
+    OCTAHEDRON = np.concatenate([np.eye(3), -np.eye(3)])
+
+    def check(self, points, radius, center):
+        diagram = spatial.SphericalVoronoi(points, radius, center)
+        areas = diagram.calculate_areas()
+        self.assertAlmostEqual(areas.sum() / (4 * np.pi * radius**2), 1, 12)
+        self.assertGreater(areas.min(), 0)
+        self.assertEqual(len(diagram.vertices), 2 * len(points) - 4)
+        np.testing.assert_allclose(np.linalg.norm(diagram.vertices - center, axis=1), radius)
+        for point, region in zip(points, diagram.regions):
+            own = diagram.vertices[region]
+            nearest = np.linalg.norm(own[:, None] - points, axis=2).min(axis=1)
+            np.testing.assert_allclose(np.linalg.norm(own - point, axis=1), nearest, atol=1e-11 * radius)
+        return areas
+
+    def test_random(self):
+        for seed in range(60):
+            random = np.random.default_rng(seed)
+            points = random.normal(size=(random.integers(4, 60), 3))
+            if seed % 3 == 0:  # all on one side
+                points[:, 2] = np.abs(points[:, 2]) + 0.1
+            center, radius = random.normal(size=3), random.choice([1.0, 1e-3, 6371.0])
+            points *= radius / np.linalg.norm(points, axis=1)[:, None]
+            areas = self.check(points + center, radius, center)
+            if HAS_SCIPY and seed % 3:
+                import scipy.spatial
+
+                wanted = scipy.spatial.SphericalVoronoi(points + center, radius, center)
+                np.testing.assert_allclose(areas, wanted.calculate_areas(), rtol=1e-8)
+        areas = self.check(self.OCTAHEDRON, 1.0, np.zeros(3))
+        np.testing.assert_allclose(areas, 4 * np.pi / 6)
+
+    def test_bad_input(self):
+        for wrong, error, sentence in (
+            (dict(points=self.OCTAHEDRON[:, :2]), NotImplementedError, "n by 3 here.*fallback=True"),
+            (dict(points=self.OCTAHEDRON, radius=2), ValueError, "Radius inconsistent"),
+            (dict(points=self.OCTAHEDRON, radius=None), ValueError, "`radius` is `None`"),
+            (dict(points=self.OCTAHEDRON[[0, 1, 3, 4]]), ValueError, "Rank of input points must be at least 3"),
+            (dict(points=self.OCTAHEDRON[[0, 1, 2, 3, 4, 5, 0]]), ValueError, "Duplicate generators"),
+        ):
+            with self.subTest(sentence), self.assertRaisesRegex(error, sentence):
+                spatial.SphericalVoronoi(**wrong)
+        points = memoryview(self.OCTAHEDRON)
+        self.assertEqual(len(spatial.SphericalVoronoi(points).regions), 6)
+        self.assertEqual(convex_hull(points).volume, 4 / 3)
 
 
 def _empty_circles(points):

@@ -197,6 +197,8 @@ def _as_array(values: Any, what: str) -> np.ndarray:
     if type(values) is np.ndarray and values.dtype.kind in "biuf":
         return values
     refuse_geometry(values, what)
+    if isinstance(values, memoryview):
+        values = np.asarray(values)
     if isinstance(values, Sequence) and len(values):
         refuse_geometry(values[0], what)
     if not is_array_like(values):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""scipy.spatial's ConvexHull, Delaunay and Voronoi, exact, with scipy's names, shapes and types: change one import.
+"""scipy.spatial's hulls, triangulations and Voronoi diagrams, exact, with its names, shapes and types.
 
     from vtkflipflop.spatial import ConvexHull, Delaunay, Voronoi
 
@@ -30,12 +30,14 @@ from ._errors import warn_caller
 from ._hull import convex_hull
 from ._input import is_array_like
 from ._results import QUIET
+from ._sphere import SphericalVoronoi
 from ._triangulation import RegularTriangulation, regular_triangulation
 
 __all__ = [
     "ConvexHull",
     "Delaunay",
     "QhullError",
+    "SphericalVoronoi",
     "Voronoi",
     "convex_hull_plot_2d",
     "delaunay_plot_2d",
