@@ -291,6 +291,56 @@ class TestSpheres(unittest.TestCase):
         self.assertEqual(convex_hull(points).volume, 4 / 3)
 
 
+class TestInterpolators(unittest.TestCase):
+    def test_as_scipy(self):
+        points, queries = CLOUDS["plane"], RANDOM.random((40, 5, 2)) * 1.2 - 0.1
+        stretched = points * [1, 1000]
+        values = np.column_stack([points @ [1, 2], np.sin(5 * points[:, 0])])
+        found = spatial.LinearNDInterpolator(points, values)(queries)
+        self.assertEqual(found.shape, (40, 5, 2))
+        np.testing.assert_allclose(found[..., 0][~np.isnan(found[..., 0])], (queries @ [1, 2])[~np.isnan(found[..., 0])])
+        x, y = queries[..., 0], queries[..., 1]
+        by_grid = spatial.griddata((points[:, 0], points[:, 1]), values, (x, y))
+        np.testing.assert_array_equal(by_grid, found)
+        of_complex = spatial.griddata(points, values[:, 0] + 2j, queries, fill_value=7)
+        np.testing.assert_array_equal(of_complex[np.isnan(found[..., 0])], 7)
+        np.testing.assert_allclose(of_complex.imag[~np.isnan(found[..., 0])], 2)
+        square = points[:, 0] ** 2 + points[:, 0] * points[:, 1]
+        smooth = spatial.griddata(points, square, queries, "cubic")
+        inside = ~np.isnan(smooth)
+        np.testing.assert_allclose(smooth[inside], (x**2 + x * y)[inside], atol=1e-9)
+        near = spatial.griddata(points, np.arange(300), queries, "nearest")
+        distances = np.linalg.norm(queries[..., None, :] - points, axis=-1)
+        np.testing.assert_array_equal(near, distances.argmin(axis=-1))
+        again = spatial.LinearNDInterpolator(spatial.Delaunay(points), values)(queries)
+        np.testing.assert_array_equal(again, found)
+        of_tuple = spatial.LinearNDInterpolator((points[:, 0], points[:, 1]), values[:, 0] * 1j)
+        self.assertEqual(of_tuple(0.5, 0.5).shape, ())
+        self.assertEqual(len(of_tuple.tri.simplices), spatial.Delaunay(points).nsimplex)
+        if HAS_SCIPY:
+            import scipy.interpolate
+
+            for rescale in (False, True):
+                arguments = stretched, values, queries * [1, 1000]
+                one = spatial.griddata(*arguments, "linear", -1, rescale)
+                other = scipy.interpolate.griddata(*arguments, "linear", -1, rescale)
+                np.testing.assert_allclose(one, other, atol=1e-9)
+
+    def test_bad_input(self):
+        with self.assertRaisesRegex(ValueError, "different number of values and points"):
+            spatial.LinearNDInterpolator(SQUARE, [1, 2])
+        with self.assertRaisesRegex(NotImplementedError, r"n by 2 here, not of shape \(300, 3\): take scipy.interpolate"):
+            spatial.LinearNDInterpolator(CLOUDS["space"], np.arange(300))
+        with self.assertRaisesRegex(ValueError, "points in the plane"):
+            spatial.CloughTocher2DInterpolator(CLOUDS["space"], np.arange(300))
+        with self.assertRaisesRegex(ValueError, "does not rescale a Delaunay triangulation"):
+            spatial.LinearNDInterpolator(spatial.Delaunay(SQUARE), range(4), rescale=True)
+        with self.assertRaisesRegex(ValueError, "dimensions in xi"):
+            spatial.NearestNDInterpolator(SQUARE, range(4))(np.zeros((2, 3)))
+        with self.assertRaisesRegex(ValueError, "Unknown interpolation method 'spline'"):
+            spatial.griddata(SQUARE, range(4), SQUARE, "spline")
+
+
 def _empty_circles(points):
     """The centers, as pairs of fractions, of circles through three points without one inside; and these rounded."""
     rows = [tuple(map(Fraction, row)) for row in points.tolist()]

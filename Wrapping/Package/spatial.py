@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""scipy.spatial's hulls, triangulations and Voronoi diagrams, exact, with its names, shapes and types.
+"""scipy.spatial's hulls, triangulations and Voronoi diagrams, exact, with its names, shapes and types; and what
+scipy.interpolate makes of points in the plane.
 
     from vtkflipflop.spatial import ConvexHull, Delaunay, Voronoi
 
@@ -29,18 +30,23 @@ from ._edit import EditableTriangulation
 from ._errors import warn_caller
 from ._hull import convex_hull
 from ._input import is_array_like
+from ._interpolators import CloughTocher2DInterpolator, LinearNDInterpolator, NearestNDInterpolator, griddata
 from ._results import QUIET
 from ._sphere import SphericalVoronoi
 from ._triangulation import RegularTriangulation, regular_triangulation
 
 __all__ = [
+    "CloughTocher2DInterpolator",
     "ConvexHull",
     "Delaunay",
+    "LinearNDInterpolator",
+    "NearestNDInterpolator",
     "QhullError",
     "SphericalVoronoi",
     "Voronoi",
     "convex_hull_plot_2d",
     "delaunay_plot_2d",
+    "griddata",
     "tsearch",
     "voronoi_plot_2d",
 ]

@@ -1,0 +1,137 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Interpolators of points in the plane, by the names and arguments of scipy.interpolate."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._image import Method
+from ._triangulation import RegularTriangulation, regular_triangulation
+
+
+class _Interpolator:
+    """Values between points.
+
+    Parameters
+    ----------
+    points : n by 2, or x and y in a tuple, or a Delaunay triangulation
+    values : array of n rows or numbers, also complex
+    fill_value : number
+        what there is outside of the convex hull
+    rescale : bool
+        whether x and y are taken by their ranges, each from 0 to 1
+    """
+
+    _method: Method = "linear"
+
+    def __init__(self, points: Any, values: ArrayLike, fill_value: complex = np.nan, rescale: bool = False) -> None:
+        self._given = points if hasattr(points, "simplices") else None
+        if self._given is not None and rescale:
+            raise ValueError(f"{type(self).__name__} does not rescale a Delaunay triangulation: pass its points")
+        rows = np.asarray(_rows_of(points), np.float64)
+        if rows.ndim != 2 or rows.shape[1] != 2:
+            raise NotImplementedError(f"points are n by 2 here, not of shape {rows.shape}: take scipy.interpolate")
+        self.points, self.fill_value, self.values = rows, fill_value, np.asarray(values)
+        if len(self.values) != len(rows):
+            raise ValueError("different number of values and points")
+        self._origin, self._scale = np.zeros(2), np.ones(2)
+        if rescale:
+            self._origin = rows.mean(axis=0)
+            ranges = np.ptp(rows, axis=0)
+            self._scale = np.where(ranges > 0, ranges, 1.0)
+        self._found: RegularTriangulation = regular_triangulation((rows - self._origin) / self._scale)
+
+    @property
+    def tri(self) -> Any:
+        """The triangulation, as it was given; or of the points."""
+        if self._given is None:
+            self._given = import_module(f"{__package__}.spatial").Delaunay(self.points)
+        return self._given
+
+    def __call__(self, *args: ArrayLike) -> NDArray[Any]:
+        """At positions (..., 2), or at x and y."""
+        at = np.stack(np.broadcast_arrays(*map(np.asarray, args)), axis=-1) if len(args) > 1 else np.asarray(args[0])
+        if at.shape[-1:] != (2,):
+            raise ValueError(f"number of dimensions in xi does not match x: {at.shape}")
+        return self._at((at - self._origin) / self._scale)
+
+    def _at(self, positions: NDArray[Any]) -> NDArray[Any]:
+        if np.iscomplexobj(self.values):
+            found = np.asarray(self._real(self.values.real, positions) + 1j * self._real(self.values.imag, positions))
+        else:
+            found = self._real(self.values, positions)
+        outside = np.asarray(self._found.locate(positions, non_finite="ignore")) < 0
+        filled = np.array(found, np.result_type(found, self.fill_value))
+        filled[outside] = self.fill_value
+        return filled
+
+    def _real(self, values: NDArray[Any], positions: NDArray[Any]) -> NDArray[Any]:
+        return np.array(
+            self._found.interpolate(values.astype(np.float64), positions, method=self._method, non_finite="ignore")
+        )
+
+
+def _rows_of(points: Any) -> Any:
+    """x and y in a tuple as rows."""
+    return np.column_stack([*map(np.ravel, points)]) if isinstance(points, tuple) else getattr(points, "points", points)
+
+
+class LinearNDInterpolator(_Interpolator):
+    __doc__ = f"""As scipy.interpolate.LinearNDInterpolator, in the plane. {_Interpolator.__doc__}"""
+
+
+class CloughTocher2DInterpolator(_Interpolator):
+    """As scipy.interpolate.CloughTocher2DInterpolator: smooth. Gradients are those of fitted quadratic functions.
+
+    So quadratic functions are reproduced, and values differ from scipy's; tol and maxiter do not matter.
+    """
+
+    _method = "clough-tocher"
+
+    def __init__(
+        self,
+        points: Any,
+        values: ArrayLike,
+        fill_value: complex = np.nan,
+        tol: float = 1e-6,
+        maxiter: int = 400,
+        rescale: bool = False,
+    ) -> None:
+        if np.ndim(_rows_of(points)) == 2 and np.shape(_rows_of(points))[1] != 2:
+            raise ValueError("CloughTocher2DInterpolator is of points in the plane")
+        super().__init__(points, values, fill_value, rescale)
+
+
+class NearestNDInterpolator(_Interpolator):
+    """As scipy.interpolate.NearestNDInterpolator, in the plane: exact; of several points as near, the first."""
+
+    def __init__(self, x: Any, y: ArrayLike, rescale: bool = False, tree_options: Any = None) -> None:
+        super().__init__(x, y, np.nan, rescale)
+
+    def _at(self, positions: NDArray[Any]) -> NDArray[Any]:
+        return self.values[np.asarray(self._found.nearest(positions))]
+
+
+def griddata(
+    points: Any,
+    values: ArrayLike,
+    xi: Any,
+    method: Literal["linear", "nearest", "cubic"] = "linear",
+    fill_value: complex = np.nan,
+    rescale: bool = False,
+) -> NDArray[Any]:
+    """As scipy.interpolate.griddata, of points in the plane; xi are positions (..., 2), or a tuple of x and y."""
+    rows = _rows_of(points)
+    at = xi if isinstance(xi, tuple) else (xi,)
+    if method == "nearest":
+        return NearestNDInterpolator(rows, values, rescale)(*at)
+    if method == "linear":
+        return LinearNDInterpolator(rows, values, fill_value, rescale)(*at)
+    if method == "cubic":
+        return CloughTocher2DInterpolator(rows, values, fill_value, rescale=rescale)(*at)
+    raise ValueError(f"Unknown interpolation method {method!r} for 2 dimensional data")
