@@ -75,7 +75,7 @@ class TestHulls(unittest.TestCase):
             (SQUARE[:2], spatial.QhullError, "all points are on a line: 2 points span less than 2"),
             (np.column_stack([SQUARE, SQUARE[:, 0]]), spatial.QhullError, "all points are in one plane"),
             (np.empty((0, 2)), spatial.QhullError, "there is no point"),
-            ([1, 2, 3], ValueError, "not 2-D"),
+            ([1, 2, 3], ValueError, "an array of 2 dimensions, not 1"),
             ([[1], [2]], ValueError, "Need at least 2-D data"),
             ([[0, np.nan]], ValueError, "cannot contain NaN"),
             ([[0, np.inf]], ValueError, "cannot contain infinity"),
@@ -154,6 +154,9 @@ class TestTriangulations(unittest.TestCase):
         self.assertTrue((whole.vertex_to_simplex >= 0).all())
         with self.assertRaisesRegex(spatial.QhullError, "on a line"):
             spatial.Delaunay([[0, 0], [1, 1], [2, 2]])
+        for wrong, error in (([2, 2, 2], ValueError), (1, IndexError)):
+            with self.assertRaises(error):
+                whole.find_simplex(wrong)
         with self.assertRaisesRegex(NotImplementedError, "furthest-site"):
             spatial.Delaunay(SQUARE, furthest_site=True)
         with self.assertRaisesRegex(NotImplementedError, "points have 2 coordinates here, not 3"):

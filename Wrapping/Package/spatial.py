@@ -335,7 +335,12 @@ class Delaunay(_OfPlane):
 
     def find_simplex(self, xi: ArrayLike, bruteforce: bool = False, tol: float | None = None) -> Ints:
         """The triangle that holds each position, exactly, of several the lowest; -1 outside. A tolerance does not matter."""
-        found = self._found.locate(np.asarray(xi, np.float64), non_finite="ignore")
+        positions = np.asarray(xi)
+        if positions.ndim == 0:
+            raise IndexError("a position has two coordinates")
+        if positions.shape[-1] != 2:
+            raise ValueError(f"positions have two coordinates, not {positions.shape[-1]}")
+        found = self._found.locate(positions.astype(np.float64), non_finite="ignore")
         return np.asarray(found, np.int32)
 
     def lift_points(self, x: ArrayLike) -> NDArray[np.float64]:
@@ -516,7 +521,7 @@ def _rows_of(points: Any) -> Rows:
         raise TypeError(f"points are an array of n by 2 or n by 3 numbers, not {points!r}")
     rows = np.array(points, np.float64, order="C")
     if rows.ndim != 2:
-        raise ValueError("`points` is not 2-D array")
+        raise ValueError(f"points are rows of numbers: an array of 2 dimensions, not {rows.ndim}")
     if rows.shape[1] < 2:
         raise ValueError("Need at least 2-D data")
     if np.isnan(rows).any():
