@@ -321,6 +321,12 @@ private:
       result.constraintOfPoint[i] =
         constraint == NoIndex ? -1 : static_cast<std::int64_t>(constraint);
     }
+    const auto& small = refinement.smallAngles();
+    result.smallAngles.allocate(3 * small.size());
+    for (std::size_t i = 0; i < 3 * small.size(); ++i)
+    {
+      result.smallAngles[i] = this->mesh->vertex(small[i / 3][i % 3]).id;
+    }
     if (this->wanted.findsShares)
     {
       result.shares = sharesInInput(this->view, this->start, refinement, *this->mesh,

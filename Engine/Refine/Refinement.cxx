@@ -126,6 +126,7 @@ void Refinement::findSmallAngles()
         small.isLess(Offset(this->position(apex), this->position(end)),
           Offset(this->position(apex), this->position(other))))
       {
+        this->small.push_back({ apex, end, other });
         for (const std::uint32_t tip : { end, other })
         {
           Segment& segment = this->segments[this->part(apex, tip).number];

@@ -23,6 +23,7 @@
 #include "Refine/TriangleQuality.h"
 #include "Support/Monitor.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
@@ -82,6 +83,9 @@ public:
       }
     }
   }
+
+  /// The apex and the other ends of each angle between segments that is less than 60 degrees.
+  const std::vector<std::array<std::uint32_t, 3>>& smallAngles() const { return this->small; }
 
   ///@{
   /// What was left as it is: segments whose middle would be too near to a vertex, and triangles
@@ -166,6 +170,7 @@ private:
   std::vector<Segment> segments;                          ///< by number
   std::unordered_map<std::uint64_t, std::uint32_t> whole; ///< numbers by edgeKey of their ends
   std::unordered_set<std::uint64_t> left;                 ///< parts too short to be divided
+  std::vector<std::array<std::uint32_t, 3>> small;        ///< smallAngles()
   std::vector<Candidate> waiting;                         ///< of segments
   std::size_t next = 0;                                   ///< of these
   BadTriangles bad;

@@ -135,6 +135,12 @@ class TestRefine(unittest.TestCase):
         of_lines = refined_mesh([], lines=polygon, maximum_area=0.1)
         np.testing.assert_allclose(of_lines.heights, 1 + of_lines.points @ [0.5, 1], rtol=0, atol=1e-15)
 
+    def test_small_angles(self):
+        spikes = [[0, 0], [9, 0], [9, 1], [0, 9], [-9, 0.5], [-9, -0.5]]
+        mesh = refined_mesh(spikes, polygons=[[0, 1, 2], [0, 4, 5]], constraints=[[0, 3]])
+        self.assertEqual(set(map(tuple, mesh.small_angles.tolist())), {(0, 1, 2), (0, 4, 5)})
+        self.assertEqual(refined_mesh(SQUARE, polygons=RING).small_angles.shape, (0, 3))
+
     def test_bad_input(self):
         def failing(positions):
             raise KeyError("mine")

@@ -128,6 +128,8 @@ nb::dict meshOf(const InputArray& points, const EndsArray& ends, std::int64_t si
   found["kept_segments"] = mesh.keptSegments;
   found["kept_triangles"] = mesh.keptTriangles;
   found["statistics"] = dictOf(mesh.statistics);
+  const std::size_t angleCount = mesh.smallAngles.size() / 3;
+  found["small_angles"] = arrayOf(std::move(mesh.smallAngles), { angleCount, std::size_t(3) });
   found["_shares"] = nb::make_tuple(arrayOf(std::move(mesh.shares.offsets)),
     arrayOf(std::move(mesh.shares.ids)), arrayOf(std::move(mesh.shares.shares)));
   keepInside(mesh);

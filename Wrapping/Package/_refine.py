@@ -46,6 +46,9 @@ class RefinedMesh(Frozen):
         sides of polygons); -1: an edge of the convex hull
     constraint_of_point : ndarray
         for each new point the constraint that it divides; -1: none
+    small_angles : ndarray of a by 3
+        the apex and the other ends, counter-clockwise, of each angle of less than 60 degrees between constraints in the
+        mesh: there triangles may be thin
     constraints : ndarray
         the ids that each constraint joins
     is_complete : bool
@@ -66,6 +69,7 @@ class RefinedMesh(Frozen):
     segments: Ids
     constraint_of: Ids
     constraint_of_point: Ids
+    small_angles: Ids
     constraints: Ids
     is_complete: bool
     kept_segments: int

@@ -81,6 +81,11 @@ struct RefinedMesh : ConstrainedTriangulation
   /// on a constraint linear along it, inside over a triangle of the input. Empty unless asked for.
   SiteShares shares;
 
+  /// For each angle of less than 60 degrees between constraints, inside of the mesh, three ids: of
+  /// the apex and of the other ends there, counter-clockwise. The constraints end at the next
+  /// points of the input on them.
+  Buffer<std::int64_t> smallAngles;
+
   std::int64_t newPoints = 0;     ///< how many
   std::int64_t keptSegments = 0;  ///< parts of constraints that are too short to be divided
   std::int64_t keptTriangles = 0; ///< bad triangles whose center is too near to a vertex

@@ -415,6 +415,9 @@ TEST(RefinedMesh, KeepsSmallAnglesOfTheInput)
     EXPECT_TRUE(mesh.isComplete);
     EXPECT_EQ(triangulationFault(mesh), "") << height;
     EXPECT_EQ(height < 1e-9 ? "" : shapeFault(graph, mesh), "") << height;
+    EXPECT_EQ(std::vector<std::int64_t>(mesh.smallAngles.begin(), mesh.smallAngles.end()),
+      (std::vector<std::int64_t>{ 0, 1, 2 }))
+      << height;
   }
 }
 
