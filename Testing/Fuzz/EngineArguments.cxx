@@ -38,7 +38,7 @@ std::int64_t drawStride(Bytes& bytes, std::int64_t count)
 }
 
 /// What is wrong with the views, if anything is: of too many points, weights may be at fault, too,
-/// and a batch, whose sets have fewer, tells these.
+/// and a batch, whose sets have fewer, reports these.
 std::vector<ErrorCode> faultsOf(
   const PointView& points, const WeightView& weights, const test::Call& call)
 {

@@ -87,7 +87,7 @@ class Regions(NamedTuple):
     polygons: list[PolygonRegion]
 
     def of_error(self, error: InputError) -> InputError:
-        """The engine's error, which tells a row, by the caller's names; of other errors, itself."""
+        """The engine's error, which has the number of a row, by the caller's names; of other errors, itself."""
         sentence, _, row = str(error).partition(": at index ")
         if "region" not in sentence or not row:
             return error

@@ -61,7 +61,7 @@ class QhullError(RuntimeError):
 
 
 class _Incremental:
-    """Points to which others can be added, and what is made of them. Made anew, what is asked for is computed again."""
+    """Points to which others can be added, and what is made of them, when it is first used."""
 
     _dimensions: tuple[int, ...]
     points: Rows
@@ -224,7 +224,9 @@ class _OfPlane(_Incremental):
     @classmethod
     def _why_not(cls, rows: Rows, *arguments: Any, **settings: Any) -> str:
         furthest = settings.get("furthest_site", arguments[0] if arguments else False)
-        return "furthest-site triangulations and diagrams are not here" if furthest else super()._why_not(rows, *arguments, **settings)
+        if furthest:
+            return "furthest-site triangulations and diagrams are not here"
+        return super()._why_not(rows, *arguments, **settings)
 
     def __init__(
         self,

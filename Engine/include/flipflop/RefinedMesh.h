@@ -53,7 +53,7 @@ struct RefinementOptions
   std::int64_t regionCount = 0;        ///< how many
   std::int64_t maxPoints = 0;          ///< insert no more; 0: ten million
   /// For each side of a polygon its feature, as cellsInsideFeatures() takes them: their union is
-  /// inside. Null: Options::polygons tells what is.
+  /// inside. Null: by Options::polygons.
   const std::int64_t* featureOf = nullptr;
   bool findsShares = false; ///< RefinedMesh::shares
 };
