@@ -61,18 +61,16 @@ class _Interpolator:
         return self._at((at - self._origin) / self._scale)
 
     def _at(self, positions: NDArray[Any]) -> NDArray[Any]:
-        if np.iscomplexobj(self.values):
-            found = np.asarray(self._real(self.values.real, positions) + 1j * self._real(self.values.imag, positions))
-        else:
-            found = self._real(self.values, positions)
-        outside = np.asarray(self._found.locate(positions, non_finite="ignore")) < 0
-        filled = np.array(found, np.result_type(found, self.fill_value))
-        filled[outside] = self.fill_value
-        return filled
+        fill = complex(self.fill_value)
+        found = self._real(self.values.real, positions, fill.real)
+        if np.iscomplexobj(self.values) or fill.imag:
+            return np.asarray(found + 1j * self._real(self.values.imag, positions, fill.imag))
+        return found
 
-    def _real(self, values: NDArray[Any], positions: NDArray[Any]) -> NDArray[Any]:
-        return np.array(
-            self._found.interpolate(values.astype(np.float64), positions, method=self._method, non_finite="ignore")
+    def _real(self, values: NDArray[Any], positions: NDArray[Any], fill: float) -> NDArray[Any]:
+        given = values.astype(np.float64)
+        return np.asarray(
+            self._found.interpolate(given, positions, method=self._method, fill_value=fill, non_finite="ignore")
         )
 
 

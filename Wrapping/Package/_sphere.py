@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._hull import convex_hull
 from ._input import doubles_of
+from ._voronoi import add_rounds, first_indices
 
 Rows = NDArray[np.float64]
 
@@ -107,20 +108,12 @@ def _least_distance(points: Rows, edges: Any) -> float:
 
 
 def _regions_of(simplices: Any, neighbors: Any, count: int) -> list[list[int]]:
-    """Around all points at once, from facet to facet."""
+    """The facets around each point."""
     rows, corners = np.divmod(np.arange(simplices.size), 3)
     # From a corner on to the same one of the facet across the edge that ends at it.
     across = neighbors[rows, (corners + 1) % 3]
     turned = (simplices[across] == simplices[rows, corners][:, None]).argmax(axis=1)
     onward = 3 * across + turned
-    begin = np.full(count, -1)
-    begin[simplices.ravel()[::-1]] = np.arange(simplices.size)[::-1]
     regions: list[list[int]] = [[] for _ in range(count)]
-    at, sites = begin.copy(), np.arange(count)
-    while len(sites):
-        for site, facet in zip(sites.tolist(), (at // 3).tolist()):
-            regions[site].append(facet)
-        at = onward[at]
-        goes_on = at != begin[sites]
-        sites, at = sites[goes_on], at[goes_on]
+    add_rounds(regions, first_indices(simplices.ravel(), count), onward, rows)
     return regions

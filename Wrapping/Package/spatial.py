@@ -31,9 +31,10 @@ from ._errors import warn_caller
 from ._hull import convex_hull
 from ._input import is_array_like
 from ._interpolators import CloughTocher2DInterpolator, LinearNDInterpolator, NearestNDInterpolator, griddata
-from ._results import QUIET
+from ._results import QUIET, Facets
 from ._sphere import SphericalVoronoi
 from ._triangulation import RegularTriangulation, regular_triangulation
+from ._voronoi import add_rounds, first_indices
 
 __all__ = [
     "CloughTocher2DInterpolator",
@@ -216,7 +217,7 @@ class ConvexHull(_Incremental):
 
 
 class _OfPlane(_Incremental):
-    """What is made of a Delaunay triangulation, which can be edited."""
+    """What is made of a Delaunay triangulation."""
 
     _dimensions = (2,)
     furthest_site = False
@@ -239,19 +240,20 @@ class _OfPlane(_Incremental):
     ) -> None:
         super().__init__(points, incremental, qhull_options, fallback=fallback)
 
+    _facets: Facets = "triangles"
+    _found: RegularTriangulation
+
     def _take(self, rows: Rows) -> None:
-        self._show(rows, EditableTriangulation(rows))
+        self._show(rows, regular_triangulation(rows, facets=self._facets))
 
     def _extend(self, rows: Rows) -> None:
-        self._edited.insert(rows)
-        self._show(np.concatenate([self.points, rows]), self._edited)
+        self._take(np.concatenate([self.points, rows]))
 
-    def _show(self, rows: Rows, edited: EditableTriangulation) -> None:
-        found = edited.snapshot()
+    def _show(self, rows: Rows, found: RegularTriangulation) -> None:
         if found.dimension < 2:
             raise QhullError(_flat(found.dimension, 2, len(rows)))
         self._forget()
-        self.points, self._edited, self._found = rows, edited, found
+        self.points, self._found = rows, found
 
 
 class Delaunay(_OfPlane):
@@ -275,6 +277,17 @@ class Delaunay(_OfPlane):
     """
 
     paraboloid_scale, paraboloid_shift = 1.0, 0.0
+    _edited: EditableTriangulation | None = None  # once points were added
+
+    def _take(self, rows: Rows) -> None:
+        super()._take(rows)
+        self._edited = None
+
+    def _extend(self, rows: Rows) -> None:
+        edited = EditableTriangulation(self._found) if self._edited is None else self._edited
+        edited.insert(rows)
+        self._show(np.concatenate([self.points, rows]), edited.snapshot())
+        self._edited = edited
 
     @cached_property
     def simplices(self) -> Ints:
@@ -378,9 +391,11 @@ class Voronoi(_OfPlane):
         the region of each point; of those at another's position, the other's
     """
 
+    _facets = "polygons"
+
     @cached_property
     def vertices(self) -> Rows:
-        return _core.facet_centers(self.points, None, self._facets._core, QUIET).copy()
+        return _core.facet_centers(self.points, None, self._found._core, QUIET).copy()
 
     @property
     def ridge_points(self) -> Ints:
@@ -403,14 +418,10 @@ class Voronoi(_OfPlane):
         return self._cells[1]
 
     @cached_property
-    def _facets(self) -> RegularTriangulation:
-        return regular_triangulation(self.points, facets="polygons")
-
-    @cached_property
     def _edges(self) -> tuple[Any, Any, Any, Any]:
         """Of each edge of each facet the ends, counter-clockwise, the facet, and the number of the same edge in the
         other direction; -1: none."""
-        polygons = self._facets.polygons
+        polygons = self._found.polygons
         facet = np.repeat(np.arange(len(polygons)), np.diff(polygons.offsets))
         tails, heads = polygons.connectivity, np.roll(polygons.connectivity, -1)
         heads[polygons.offsets[1:] - 1] = tails[polygons.offsets[:-1]]
@@ -430,35 +441,24 @@ class Voronoi(_OfPlane):
 
     @cached_property
     def _cells(self) -> tuple[list[list[int]], Ints]:
-        """From facet to facet around all points at once."""
+        """The regions, and that of each point."""
         tails, _, facet, twins = self._edges
-        offsets = self._facets.polygons.offsets
+        offsets = self._found.polygons.offsets
         before = np.arange(len(tails)) - 1
         before[offsets[:-1]] = offsets[1:] - 1
         onward = twins[before]  # the next edge from the same point, counter-clockwise
-        sites = self._facets.vertices
-        first = np.full(self.npoints, -1)
-        first[tails[::-1]] = np.arange(len(tails))[::-1]
+        sites = self._found.vertices
+        first = first_indices(tails, self.npoints)
         first[tails[twins < 0]] = np.flatnonzero(twins < 0)  # open cells begin at the border
         extra = int("Qz" in (self._options or "Qz"))
-        regions: list[list[int]] = [[] for _ in range(extra + len(sites))]
-        at, rows = first[sites], np.arange(len(sites))
-        is_open = twins[at] < 0
-        for row in np.flatnonzero(is_open).tolist():
-            regions[extra + row].append(-1)
-        begin = at.copy()
-        while len(rows):
-            for row, vertex in zip(rows.tolist(), facet[at].tolist()):
-                regions[extra + row].append(vertex)
-            at = onward[at]
-            goes_on = (at >= 0) & (at != begin[rows])
-            rows, at = rows[goes_on], at[goes_on]
+        regions = [[-1] if is_open else [] for is_open in (twins[first[sites]] < 0).tolist()]
+        add_rounds(regions, first[sites], onward, facet)
         numbers = np.full(self.npoints, -1)
         numbers[sites] = extra + np.arange(len(sites))
-        hidden = self._facets.hidden
+        hidden = self._found.hidden
         if len(hidden):
-            numbers[hidden] = numbers[np.asarray(self._facets.nearest(self.points[hidden]))]
-        return regions, numbers.astype(np.int32)
+            numbers[hidden] = numbers[np.asarray(self._found.nearest(self.points[hidden]))]
+        return [[] for _ in range(extra)] + regions, numbers.astype(np.int32)
 
 
 def tsearch(tri: Delaunay, xi: ArrayLike) -> Ints:
