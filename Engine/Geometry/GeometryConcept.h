@@ -9,6 +9,7 @@
 /// star-shaped from s. Every sign is exact: -1, 0 or 1.
 ///
 /// Two models: HullGeometry (points in space) and LiftedGeometry (weighted points of the plane).
+/// HalfSpaceGeometry has the signs alone, which insertion and the finish take.
 #ifndef flipflop_GeometryConcept_h
 #define flipflop_GeometryConcept_h
 
@@ -31,7 +32,7 @@ namespace flipflop
 #define FF_REQUIRES(Type, ...)                                                                     \
   static_assert(std::is_same_v<Type, decltype(__VA_ARGS__)>, #__VA_ARGS__)
 
-/// What every model gives. Derive from PredicateSteps<Geometry>, and most signs follow from their
+/// The signs. Derive from PredicateSteps<Geometry>, and most signs follow from their
 /// steps.
 template <class Geometry>
 constexpr bool hasSigns()
@@ -40,17 +41,8 @@ constexpr bool hasSigns()
   using G = const Geometry&;
   using V = const Vertex&;
 
-  // Are all points vertices but for duplicates? Is it built by parts (PartsBuilder), from points
-  // alone? Else it is built by growing and flipping in rounds, from a tetrahedron (Builder).
+  // Are all points vertices but for duplicates?
   FF_REQUIRES(const bool, Geometry::AllExtreme);
-  FF_REQUIRES(const bool, Geometry::IsPlanar);
-
-  // The kernel point: a position, or the exact centroid of four vertices, which no double need be.
-  // kernel() is rounded then.
-  FF_REQUIRES(void, declval<Geometry&>().setKernel(declval<const double*>()));
-  FF_REQUIRES(void, declval<Geometry&>().setSymbolicKernel(declval<const Vertex*>()));
-  FF_REQUIRES(const double*, declval<G>().kernel());
-  FF_REQUIRES(bool, declval<G>().kernelIsSymbolic());
 
   // Is p beyond the triangle abc, seen from s? orient3d of points in space; the power test of
   // weighted points.
@@ -85,6 +77,31 @@ constexpr bool hasSigns()
   // Do the three lie on a line? Exact.
   FF_REQUIRES(bool, declval<G>().collinear(declval<V>(), declval<V>(), declval<V>()));
 
+  // What it has decided. Each task has a copy of its own, which counts.
+  FF_REQUIRES(const PredicateCounts&, declval<G>().predicateCounts());
+  static_assert(std::is_copy_constructible_v<Geometry>);
+  return true;
+}
+
+/// What builders need besides, and a function next to the class.
+template <class Geometry>
+constexpr bool hasStart()
+{
+  using std::declval;
+  using G = const Geometry&;
+  using V = const Vertex&;
+
+  // Is it built by parts (PartsBuilder), from points alone? Else it is built by growing and
+  // flipping in rounds, from a tetrahedron (Builder).
+  FF_REQUIRES(const bool, Geometry::IsPlanar);
+
+  // The kernel point: a position, or the exact centroid of four vertices, which no double need be.
+  // kernel() is rounded then.
+  FF_REQUIRES(void, declval<Geometry&>().setKernel(declval<const double*>()));
+  FF_REQUIRES(void, declval<Geometry&>().setSymbolicKernel(declval<const Vertex*>()));
+  FF_REQUIRES(const double*, declval<G>().kernel());
+  FF_REQUIRES(bool, declval<G>().kernelIsSymbolic());
+
   // How far p is above abc, times twice the area; rounded. For choosing the furthest point.
   FF_REQUIRES(
     double, Geometry::heightAbove(declval<V>(), declval<V>(), declval<V>(), declval<V>()));
@@ -92,17 +109,6 @@ constexpr bool hasSigns()
   // Are integers of any size needed? Devices have none.
   FF_REQUIRES(bool, declval<G>().isWide());
 
-  // What it has decided. Each task has a copy of its own, which counts.
-  FF_REQUIRES(const PredicateCounts&, declval<G>().predicateCounts());
-  static_assert(std::is_copy_constructible_v<Geometry>);
-  return true;
-}
-
-/// Functions next to the class.
-template <class Geometry>
-constexpr bool hasStart()
-{
-  using std::declval;
   // The tetrahedron of the points that findSpan chose; the kernel point is set inside it.
   FF_REQUIRES(Polyhedron,
     startingTetrahedron(

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Small-dimensional linear programming (R. Seidel, "Small-Dimensional Linear Programming and
-/// Convex Hulls Made Easy", 1991), rounded: expected linear time in the number of constraints.
+/// Convex Hulls Made Easy", 1991): expected linear time in the number of constraints. Rounded in
+/// double; exact in rationals.
 #ifndef flipflop_LinearProgram_h
 #define flipflop_LinearProgram_h
 
@@ -17,62 +18,78 @@ namespace flipflop
 {
 
 /// normal . x <= bound
-template <int Dimension>
+template <int Dimension, class Number = double>
 struct HalfSpace
 {
-  double normal[Dimension];
-  double bound;
+  Number normal[Dimension];
+  Number bound;
 };
 
 namespace detail
 {
 
-constexpr double Slack = 1e-13;
+/// What rounding may leave of zero.
+template <class Number>
+constexpr double Slack = 0;
+template <>
+inline constexpr double Slack<double> = 1e-13;
 
 /// Along a line.
-inline bool maximizeOnLine(double objective, const std::vector<HalfSpace<1>>& constraints,
-  std::size_t count, double box, double& x)
+template <class Number>
+bool maximizeOnLine(const Number& objective, const std::vector<HalfSpace<1, Number>>& constraints,
+  std::size_t count, const Number& box, Number& x)
 {
-  double low = -box;
-  double high = box;
+  using std::abs;
+  Number low = -box;
+  Number high = box;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const double a = constraints[i].normal[0];
-    const double b = constraints[i].bound;
-    if (std::fabs(a) > Slack)
+    const Number& a = constraints[i].normal[0];
+    const Number& b = constraints[i].bound;
+    if (abs(a) > Slack<Number>)
     {
-      a > 0 ? high = std::min(high, b / a) : low = std::max(low, b / a);
+      const Number end = b / a;
+      a > 0 ? high = std::min(high, end) : low = std::max(low, end);
     }
-    else if (b < -Slack)
+    else if (b < -Slack<Number>)
     {
       return false;
     }
   }
   x = objective >= 0 ? high : low;
-  return low <= high + Slack;
+  return low <= high + Slack<Number>;
 }
 
 /// Replaces one variable, by the others on a constraint's plane.
-template <int Dimension>
+template <int Dimension, class Number>
 class Elimination
 {
 public:
+  using Given = HalfSpace<Dimension, Number>;
+  using Reduced = HalfSpace<Dimension - 1, Number>;
+
   /// The variable is the one with the largest factor.
-  explicit Elimination(const HalfSpace<Dimension>& constraint)
+  explicit Elimination(const Given& constraint)
     : tight(constraint)
   {
+    using std::abs;
     for (int i = 1; i < Dimension; ++i)
     {
-      this->out = std::fabs(tight.normal[i]) > std::fabs(tight.normal[this->out]) ? i : this->out;
+      this->out = abs(tight.normal[i]) > abs(tight.normal[this->out]) ? i : this->out;
     }
   }
 
-  bool isPossible() const { return !(std::fabs(this->tight.normal[this->out]) < Slack); }
-
-  HalfSpace<Dimension - 1> operator()(const HalfSpace<Dimension>& from) const
+  bool isPossible() const
   {
-    HalfSpace<Dimension - 1> to;
-    const double factor = from.normal[this->out] / this->tight.normal[this->out];
+    using std::abs;
+    const Number factor = abs(this->tight.normal[this->out]);
+    return factor != 0 && !(factor < Slack<Number>);
+  }
+
+  Reduced operator()(const Given& from) const
+  {
+    Reduced to;
+    const Number factor = from.normal[this->out] / this->tight.normal[this->out];
     for (int i = 0, j = 0; i < Dimension; ++i)
     {
       if (i != this->out)
@@ -85,18 +102,18 @@ public:
   }
 
   /// The first @p count constraints, and the cube's for the variable.
-  std::vector<HalfSpace<Dimension - 1>> reduced(
-    const std::vector<HalfSpace<Dimension>>& constraints, std::size_t count, double box) const
+  std::vector<Reduced> reduced(
+    const std::vector<Given>& constraints, std::size_t count, const Number& box) const
   {
-    std::vector<HalfSpace<Dimension - 1>> result;
+    std::vector<Reduced> result;
     result.reserve(count + 2);
     for (std::size_t i = 0; i < count; ++i)
     {
       result.push_back((*this)(constraints[i]));
     }
-    for (const double sign : { 1.0, -1.0 })
+    for (const int sign : { 1, -1 })
     {
-      HalfSpace<Dimension> wall{};
+      Given wall{};
       wall.normal[this->out] = sign;
       wall.bound = box;
       result.push_back((*this)(wall));
@@ -105,9 +122,9 @@ public:
   }
 
   /// All variables, from the others.
-  void expand(const double* others, double* x) const
+  void expand(const Number* others, Number* x) const
   {
-    double rest = this->tight.bound;
+    Number rest = this->tight.bound;
     for (int i = 0, j = 0; i < Dimension; ++i)
     {
       if (i != this->out)
@@ -120,48 +137,50 @@ public:
   }
 
 private:
-  const HalfSpace<Dimension>& tight;
+  const Given& tight;
   int out = 0; ///< the variable
 };
 
 /// In order; the constraints before the one that fails are tight on it.
-template <int Dimension>
-bool maximizeInOrder(const double* objective, const std::vector<HalfSpace<Dimension>>& constraints,
-  std::size_t count, double box, double* x)
+template <int Dimension, class Number>
+bool maximizeInOrder(const Number* objective,
+  const std::vector<HalfSpace<Dimension, Number>>& constraints, std::size_t count,
+  const Number& box, Number* x)
 {
   if constexpr (Dimension == 1)
   {
-    return maximizeOnLine(objective[0], constraints, count, box, x[0]);
+    return maximizeOnLine<Number>(objective[0], constraints, count, box, x[0]);
   }
   else
   {
     for (int i = 0; i < Dimension; ++i)
     {
-      x[i] = objective[i] >= 0 ? box : -box;
+      x[i] = objective[i] >= 0 ? box : Number(-box);
     }
     for (std::size_t k = 0; k < count; ++k)
     {
-      double value = -constraints[k].bound;
+      Number value = -constraints[k].bound;
       for (int i = 0; i < Dimension; ++i)
       {
         value += constraints[k].normal[i] * x[i];
       }
-      if (value <= Slack)
+      if (value <= Slack<Number>)
       {
         continue;
       }
       // The optimum lies on this constraint.
-      const Elimination<Dimension> eliminate(constraints[k]);
+      const Elimination<Dimension, Number> eliminate(constraints[k]);
       if (!eliminate.isPossible())
       {
         return false;
       }
-      HalfSpace<Dimension> goal{};
+      HalfSpace<Dimension, Number> goal{};
       std::copy(objective, objective + Dimension, goal.normal);
-      const HalfSpace<Dimension - 1> reducedGoal = eliminate(goal);
+      const auto reducedGoal = eliminate(goal);
       const auto reduced = eliminate.reduced(constraints, k, box);
-      double y[Dimension - 1];
-      if (!maximizeInOrder<Dimension - 1>(reducedGoal.normal, reduced, reduced.size(), box, y))
+      Number y[Dimension - 1];
+      if (!maximizeInOrder<Dimension - 1, Number>(
+            reducedGoal.normal, reduced, reduced.size(), box, y))
       {
         return false;
       }
@@ -176,9 +195,9 @@ bool maximizeInOrder(const double* objective, const std::vector<HalfSpace<Dimens
 /// Maximise objective . x over the constraints and the cube |x_i| <= box. The constraints are
 /// shuffled, by a fixed seed.
 /// @return false when nothing satisfies them
-template <int Dimension>
-bool maximize(
-  const double* objective, std::vector<HalfSpace<Dimension>>& constraints, double box, double* x)
+template <int Dimension, class Number = double>
+bool maximize(const Number* objective, std::vector<HalfSpace<Dimension, Number>>& constraints,
+  const Number& box, Number* x)
 {
   std::uint64_t state = 0x9E3779B97F4A7C15ull;
   for (std::size_t i = constraints.size(); i > 1; --i)
@@ -186,7 +205,8 @@ bool maximize(
     state = state * 6364136223846793005ull + 1442695040888963407ull;
     std::swap(constraints[i - 1], constraints[(state >> 33) % i]);
   }
-  return detail::maximizeInOrder<Dimension>(objective, constraints, constraints.size(), box, x);
+  return detail::maximizeInOrder<Dimension, Number>(
+    objective, constraints, constraints.size(), box, x);
 }
 
 }

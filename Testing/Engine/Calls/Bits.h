@@ -10,6 +10,7 @@
 #include <flipflop/CentroidalCells.h>
 #include <flipflop/ConstrainedTriangulation.h>
 #include <flipflop/ConstraintCrossings.h>
+#include <flipflop/HalfSpaces.h>
 #include <flipflop/HullQueries.h>
 #include <flipflop/JoinedLines.h>
 #include <flipflop/PlaneFit.h>
@@ -52,6 +53,13 @@ inline Bits bitsOf(const CellComplex& cells)
 {
   return std::to_string(cells.dimension) + bitsOf(cells.pointIds) + bitsOf(cells.connectivity) +
     bitsOf(cells.offsets);
+}
+
+inline Bits bitsOf(const HalfSpaceIntersection& found)
+{
+  return std::to_string(static_cast<int>(found.kind)) +
+    bitsOf(static_cast<const CellComplex&>(found)) + bitsOf(found.interior, 3) +
+    bitsOf(found.vertices) + bitsOf(found.dualPoints);
 }
 
 inline Bits bitsOf(const Hull& hull)

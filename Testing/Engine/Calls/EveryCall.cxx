@@ -4,6 +4,8 @@
 #include "Testing/Engine/Inputs/InputsWeighted.h"
 #include "Testing/Engine/Inputs/Surfaces.h"
 
+#include "Points/PointSource.h"
+
 #include <flipflop/Batch.h>
 #include <flipflop/Certificate.h>
 #include <flipflop/Convexify.h>
@@ -184,6 +186,20 @@ void addRuns(Table& table, const CallInputs& given)
       RefinementOptions refinement;
       refinement.maxPoints = 2000;
       return bitsOf(refinedMesh(points, ConstraintView(), refinement, options));
+    });
+  // Borders that touch a sphere about the origin, or are far from it.
+  table.add("halfSpaceIntersection", body, false, false, refused,
+    [](Points points, Weights, const Options& options)
+    {
+      requireValid(points, 3);
+      const PointSource source(points);
+      std::vector<double> rows;
+      for (std::uint32_t id = 0; id < source.count(); ++id)
+      {
+        const Vertex v = source.vertex(id);
+        rows.insert(rows.end(), { v.x[0], v.x[1], v.x[2], -1 });
+      }
+      return bitsOf(halfSpaceIntersection({ rows.data(), points.count, 3 }, nullptr, options));
     });
   table.add("terrainMesh", body, false, false, refused,
     [](Points points, Weights, const Options& options)
