@@ -15,6 +15,7 @@
 #define flipflop_HalfSpaceGeometry_h
 
 #include "HalfSpaces/HalfSpaceRow.h"
+#include "Points/Vector3.h"
 #include "Points/Vertex.h"
 #include "Predicates/Perturbation.h"
 #include "Predicates/PredicateSteps.h"
@@ -42,16 +43,18 @@ public:
   {
     const HalfSpaceRow* const row[4] = { this->rowOf(a), this->rowOf(b), this->rowOf(c),
       this->rowOf(p) };
-    const bool decided = determinantSign<4>(BoundedArithmetic<double>(), row, RowColumns, sign);
-    // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1).
-    sign = -sign;
-    return decided;
+    // det[b - a; c - a; p - a] = -det of the rows (a, 1), (b, 1), (c, 1), (p, 1), along the ones.
+    return BoundedArithmetic<double>::sign(row[0]->depth * normalsMinor(row[1], row[2], row[3]) -
+        row[1]->depth * normalsMinor(row[0], row[2], row[3]) +
+        row[2]->depth * normalsMinor(row[0], row[1], row[3]) -
+        row[3]->depth * normalsMinor(row[0], row[1], row[2]),
+      sign);
   }
 
   bool filterKernelBeneath(const Vertex& a, const Vertex& b, const Vertex& c, int& sign) const
   {
     const HalfSpaceRow* const row[3] = { this->rowOf(a), this->rowOf(b), this->rowOf(c) };
-    return determinantSign<3>(BoundedArithmetic<double>(), row, RowColumns, sign);
+    return BoundedArithmetic<double>::sign(normalsMinor(row[0], row[1], row[2]), sign);
   }
 
   int exactAbove(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
@@ -103,6 +106,14 @@ public:
   }
 
 private:
+  /// The determinant of three normals.
+  static Bounded<double> normalsMinor(
+    const HalfSpaceRow* a, const HalfSpaceRow* b, const HalfSpaceRow* c)
+  {
+    return { dot(cross(a->number, b->number), c->number),
+      DeterminantError * a->size * b->size * c->size };
+  }
+
   const HalfSpaceRow* rowOf(const Vertex& v) const { return this->rows + v.id; }
 
   /// The sign of the perturbed determinant of rows, whose unperturbed value is zero. Never zero.

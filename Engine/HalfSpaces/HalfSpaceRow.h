@@ -21,6 +21,7 @@ namespace flipflop
 struct HalfSpaceRow
 {
   double number[4]; ///< the normal, of which the largest is from 1 to 2 where that is exact; bound
+  double size;      ///< the largest number of the normal; infinite beyond the filter's range
   Bounded<double> depth;
   Bounded<DoubleDouble> farDepth; ///< the same in double-double
 };

@@ -33,6 +33,12 @@ static_assert(hasSigns<HalfSpaceGeometry>());
 /// four, and is shifted until it has 64 bits more than a denominator of degree three.
 constexpr int MostBitsInRows = 200;
 
+/// The largest number of a normal.
+double sizeOf(const double* row)
+{
+  return std::max({ std::fabs(row[0]), std::fabs(row[1]), std::fabs(row[2]) });
+}
+
 /// The half-spaces as rows of four numbers, normal . x <= bound. A row is scaled by a power of two
 /// where that is exact.
 /// @throw Error NonFinite
@@ -52,7 +58,7 @@ HalfSpaceRows rowsOf(const HalfSpaceView& view)
       firstNonFinite = nonFinite++ ? firstNonFinite : id;
       continue;
     }
-    const double most = std::max({ std::fabs(row[0]), std::fabs(row[1]), std::fabs(row[2]) });
+    const double most = sizeOf(row);
     const int shift = most > 0 ? -std::ilogb(most) : 0;
     const auto isExact = [shift](double x)
     { return std::ldexp(std::ldexp(x, shift), -shift) == x; };
@@ -240,21 +246,25 @@ private:
     const auto dimension = static_cast<std::size_t>(this->view.dimension);
     result.dualPoints = Buffer<double>(static_cast<std::size_t>(this->view.count) * dimension);
     this->table.resize(static_cast<std::size_t>(this->ownCount()) + 4);
-    StepPoll poll(this->monitor);
-    for (std::size_t id = 0; id < this->table.size() - 4; ++id)
-    {
-      poll.step();
-      this->setRow(id, this->rows.data() + 4 * id, interior);
-      double* const position = this->positions.data() + 3 * id;
-      if (!this->isTrivial(id))
+    constexpr std::size_t RowsPerTask = 1 << 12;
+    eachChunk(this->table.size() - 4, RowsPerTask,
+      [&](std::size_t begin, std::size_t end, std::size_t)
       {
-        dualPointOf(this->rows.data() + 4 * id, interior, position);
-      }
-      if (id < static_cast<std::size_t>(this->view.count))
-      {
-        std::copy_n(position, dimension, result.dualPoints.data() + id * dimension);
-      }
-    }
+        for (std::size_t id = begin; id < end; ++id)
+        {
+          this->setRow(id, this->rows.data() + 4 * id, interior);
+          double* const position = this->positions.data() + 3 * id;
+          if (!this->isTrivial(id))
+          {
+            dualPointOf(this->rows.data() + 4 * id, interior, position);
+          }
+          if (id < static_cast<std::size_t>(this->view.count))
+          {
+            std::copy_n(position, dimension, result.dualPoints.data() + id * dimension);
+          }
+        }
+        this->monitor.poll();
+      });
     this->geometry = HalfSpaceGeometry(this->table.data());
     std::copy_n(interior, 3, this->center);
   }
@@ -263,6 +273,8 @@ private:
   {
     HalfSpaceRow& entry = this->table[id];
     std::copy_n(row, 4, entry.number);
+    const double size = sizeOf(row);
+    entry.size = size >= FilterFloor && size <= FilterCeiling ? size : HUGE_VAL;
     entry.farDepth = depthAt(BoundedArithmetic<>(), row, c);
     entry.depth = { entry.farDepth.value.high,
       entry.farDepth.error + NearUnit * std::fabs(entry.farDepth.value.high) };
@@ -280,23 +292,37 @@ private:
   /// distinguish vertices.
   std::vector<std::uint32_t> excludedIds()
   {
+    const auto at = [this](std::uint32_t id) { return this->positions.data() + 3 * id; };
     std::vector<std::uint32_t> excluded;
-    std::vector<std::uint32_t> order;
+    std::vector<std::pair<double, std::uint32_t>> order; // most differ in the first coordinate
+    order.reserve(static_cast<std::size_t>(this->ownCount()));
     for (std::uint32_t id = 0; id < this->ownCount(); ++id)
     {
-      (this->isTrivial(id) ? excluded : order).push_back(id);
+      if (this->isTrivial(id))
+      {
+        excluded.push_back(id);
+      }
+      else
+      {
+        order.emplace_back(at(id)[0], id);
+      }
     }
-    const auto at = [this](std::uint32_t id) { return this->positions.data() + 3 * id; };
-    const auto isBefore = [&at](std::uint32_t a, std::uint32_t b)
-    { return std::lexicographical_compare(at(a), at(a) + 3, at(b), at(b) + 3); };
     std::sort(order.begin(), order.end(),
-      [&](std::uint32_t a, std::uint32_t b)
-      { return isBefore(a, b) || (!isBefore(b, a) && a < b); });
+      [&at](const auto& a, const auto& b)
+      {
+        const double* const x = at(a.second);
+        const double* const y = at(b.second);
+        return a.first != b.first ? a.first < b.first
+          : x[1] != y[1]          ? x[1] < y[1]
+          : x[2] != y[2]          ? x[2] < y[2]
+                                  : a.second < b.second;
+      });
     std::vector<std::uint32_t> alike; // different half-spaces of one rounded position
     const double* last = nullptr;     // the position before
     double given[3] = { 0, 0, 0 };
-    for (const std::uint32_t id : order)
+    for (const auto& entry : order)
     {
+      const std::uint32_t id = entry.second;
       double* const x = at(id);
       if (alike.empty() || !std::equal(x, x + 3, given))
       {

@@ -134,6 +134,9 @@ void bindComplexes(nanobind::module_& module);
 void bindTerrain(nanobind::module_& module);
 void bindRefine(nanobind::module_& module);
 
+/// Intersections of half-spaces.
+void bindHalfSpaces(nanobind::module_& module);
+
 /// Triangulations that are edited.
 void bindEdits(nanobind::module_& module);
 

@@ -447,6 +447,7 @@ NB_MODULE(_core, module)
   bindComplexes(module);
   bindTerrain(module);
   bindRefine(module);
+  bindHalfSpaces(module);
   bindEdits(module);
   bindStream(module);
   bindTransport(module);
