@@ -36,6 +36,7 @@ from ._constrained import ConstrainedTriangulation
 from ._constraints import SplitConstraints, split_crossings
 from ._edit import EditableTriangulation
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
+from ._half_spaces import HalfSpaceIntersection, half_space_intersection
 from ._hull import ConvexHull, Diameter, OrientedBox, Side, convex_hull, convexify
 from ._image import Image
 from ._las import LasPoints, read_las
@@ -58,6 +59,7 @@ __all__ = [
     "Diameter",
     "EditableTriangulation",
     "FlipFlopError",
+    "HalfSpaceIntersection",
     "HullBatch",
     "Image",
     "InputError",
@@ -82,6 +84,7 @@ __all__ = [
     "convex_hull",
     "convex_hulls",
     "convexify",
+    "half_space_intersection",
     "power_diagram",
     "prescribed_areas",
     "read_las",

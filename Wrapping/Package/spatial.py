@@ -27,11 +27,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._edit import EditableTriangulation
-from ._errors import warn_caller
 from ._hull import convex_hull
 from ._input import is_array_like
 from ._interpolators import CloughTocher2DInterpolator, LinearNDInterpolator, NearestNDInterpolator, griddata
+from ._qhull import QhullError, say_unused
 from ._results import QUIET, Facets
+from ._spatial_half_spaces import HalfspaceIntersection
 from ._sphere import SphericalVoronoi
 from ._triangulation import RegularTriangulation, regular_triangulation
 from ._voronoi import add_rounds, first_indices
@@ -40,6 +41,7 @@ __all__ = [
     "CloughTocher2DInterpolator",
     "ConvexHull",
     "Delaunay",
+    "HalfspaceIntersection",
     "LinearNDInterpolator",
     "NearestNDInterpolator",
     "QhullError",
@@ -54,11 +56,6 @@ __all__ = [
 
 Rows = NDArray[np.float64]
 Ints = NDArray[np.int32]
-_said: set[str] = set()
-
-
-class QhullError(RuntimeError):
-    """The points span less than their space."""
 
 
 class _Incremental:
@@ -90,9 +87,7 @@ class _Incremental:
     def __init__(
         self, points: ArrayLike, incremental: bool = False, qhull_options: str | None = None, *, fallback: bool = False
     ) -> None:
-        if qhull_options and qhull_options not in _said:
-            _said.add(qhull_options)
-            warn_caller(f"qhull_options {qhull_options!r} mean nothing here: all decisions are exact")
+        say_unused(qhull_options)
         self._incremental, self._is_open, self._options = bool(incremental), True, qhull_options
         self._take(_rows_of(points))
 

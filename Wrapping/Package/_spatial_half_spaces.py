@@ -1,0 +1,168 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Intersections of half-spaces by scipy.spatial's names."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from importlib import import_module
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._errors import InputError
+from ._half_spaces import HalfSpaceIntersection as Found
+from ._half_spaces import half_space_intersection, sizes_of
+from ._input import doubles_of
+from ._qhull import QhullError, say_unused
+from ._results import Polygons
+
+Rows = NDArray[np.float64]
+
+
+class HalfspaceIntersection:
+    """The intersection of half-spaces of the plane or of space, as scipy.spatial.HalfspaceIntersection.
+
+    Attributes
+    ----------
+    halfspaces : ndarray of nineq by ndim + 1
+        those given, also by add_halfspaces(): normal and offset, normal @ x + offset <= 0
+    interior_point : ndarray of ndim
+    intersections : ndarray of ninter by ndim
+        the vertices, each once; each coordinate rounded once
+    dual_points : ndarray of nineq by ndim
+    dual_facets : list of lists
+        for each of intersections the half-spaces whose facets meet there, exactly
+    dual_vertices : ndarray
+        the half-spaces that have a facet, ascending
+    dual_equations : ndarray of ninter by ndim + 1
+        of the dual points' hull, rounded
+    dual_volume, dual_area : float
+
+    Raises
+    ------
+    QhullError
+        the interior point is not strictly inside, or the intersection is unbounded
+    """
+
+    def __new__(
+        cls, halfspaces: ArrayLike, interior_point: ArrayLike, *arguments: Any, fallback: bool = False, **settings: Any
+    ) -> Any:
+        """With fallback, scipy's own object in more dimensions."""
+        if np.ndim(halfspaces) != 2 or np.shape(halfspaces)[1] in (3, 4):
+            return super().__new__(cls)
+        if not fallback:
+            sentence = f"half-spaces are n by 3 or n by 4 here, not n by {np.shape(halfspaces)[1]}"
+            raise NotImplementedError(f"{sentence}: take scipy.spatial.{cls.__name__}, or pass fallback=True")
+        return getattr(import_module("scipy.spatial"), cls.__name__)(halfspaces, interior_point, *arguments, **settings)
+
+    def __init__(
+        self,
+        halfspaces: ArrayLike,
+        interior_point: ArrayLike,
+        incremental: bool = False,
+        qhull_options: str | None = None,
+        *,
+        fallback: bool = False,
+    ) -> None:
+        say_unused(qhull_options)
+        rows, point = _rows_of(halfspaces), np.array(doubles_of(interior_point, "the numbers of interior_point"))
+        if point.shape != (rows.shape[1] - 1,):
+            raise ValueError(f"feasible point has to be a (ndim-1,) array, not of shape {point.shape}")
+        self._incremental, self._is_open = bool(incremental), True
+        self.interior_point = point
+        self._take(rows, np.arange(len(rows)))
+
+    def _take(self, rows: Rows, kept: NDArray[np.int64]) -> None:
+        """kept: the half-spaces that count"""
+        try:
+            found = half_space_intersection(rows[kept], self.interior_point)
+        except InputError as error:
+            if error.code == "bad_argument" and error.index >= 0:
+                row = rows[kept[error.index]]
+                at = f"half-space {kept[error.index]}, {row}"
+                raise QhullError(f"feasible point {self.interior_point} is not strictly inside {at}") from None
+            raise
+        if found.kind != "bounded":
+            raise QhullError("the intersection is unbounded: add half-spaces, as those of a box")
+        for name in [name for name in self.__dict__ if isinstance(getattr(type(self), name, None), cached_property)]:
+            del self.__dict__[name]
+        self.halfspaces, self._found, self._kept = rows, found, kept
+        self._duals = found.dual_points if len(kept) == len(rows) else None
+
+    def add_halfspaces(self, halfspaces: ArrayLike, restart: bool = False) -> None:
+        """Add half-spaces after the others. Those that were redundant are not looked at again, but with restart."""
+        if not self._is_open:
+            raise RuntimeError("this instance is closed")
+        if not self._incremental:
+            raise RuntimeError("incremental mode not enabled or already closed")
+        rows = _rows_of(np.atleast_2d(np.asarray(halfspaces)))
+        if rows.shape[1] != self.halfspaces.shape[1]:
+            raise ValueError(f"invalid size for new half-spaces: {rows.shape}")
+        whole = np.concatenate([self.halfspaces, rows])
+        before = np.arange(self.nineq) if restart else self._kept[self._found.facets]
+        self._take(whole, np.concatenate([before, np.arange(self.nineq, len(whole))]))
+
+    def close(self) -> None:
+        """No more half-spaces are added."""
+        self._is_open = self._incremental = False
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
+
+    @property
+    def ndim(self) -> int:
+        return int(self.halfspaces.shape[1]) - 1
+
+    @property
+    def nineq(self) -> int:
+        return len(self.halfspaces)
+
+    @cached_property
+    def intersections(self) -> Rows:
+        return self._found.vertices.copy()
+
+    @cached_property
+    def dual_points(self) -> Rows:
+        if self._duals is not None:
+            return self._duals.copy()
+        return half_space_intersection(self.halfspaces, self.interior_point).dual_points.copy()
+
+    @cached_property
+    def dual_facets(self) -> list[list[int]]:
+        return [self._kept[ids].tolist() for ids in self._found.facets_at_vertices]
+
+    @cached_property
+    def dual_vertices(self) -> NDArray[np.int64]:
+        return np.array(self._kept[self._found.facets])
+
+    @cached_property
+    def dual_equations(self) -> Rows:
+        arms = self._found.vertices - self.interior_point
+        lengths = np.linalg.norm(arms, axis=1)[:, None]
+        return np.column_stack([arms / lengths, -1 / lengths])
+
+    @property
+    def dual_volume(self) -> float:
+        return self._dual_sizes[0]
+
+    @property
+    def dual_area(self) -> float:
+        return self._dual_sizes[1]
+
+    @cached_property
+    def _dual_sizes(self) -> tuple[float, float]:
+        found: Found = self._found
+        ends = found.facets_at_vertices
+        return sizes_of(found.dual_points, Polygons(ends.offsets, ends.connectivity))
+
+
+def _rows_of(halfspaces: Any) -> Rows:
+    rows = np.array(doubles_of(halfspaces, "the numbers of half-spaces"), np.float64)
+    if rows.ndim != 2:
+        raise ValueError(f"halfspaces should be provided as a 2D array, not of {rows.ndim} dimensions")
+    return rows
