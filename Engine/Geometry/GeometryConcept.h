@@ -9,7 +9,8 @@
 /// star-shaped from s. Every sign is exact: -1, 0 or 1.
 ///
 /// Two models: HullGeometry (points in space) and LiftedGeometry (weighted points of the plane).
-/// HalfSpaceGeometry has the signs alone, which insertion and the finish take.
+/// FurthestGeometry and HalfSpaceGeometry have the signs alone, which insertion and the finish
+/// take.
 #ifndef flipflop_GeometryConcept_h
 #define flipflop_GeometryConcept_h
 

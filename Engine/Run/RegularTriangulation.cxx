@@ -237,5 +237,6 @@ void TriangulationRun<Weighted>::listHidden(Triangulation& result)
 
 template class TriangulationRun<false>;
 template class TriangulationRun<true>;
+template void TriangulationRun<false>::write(Polyhedron&, bool, const Tally&, Triangulation&);
 
 }

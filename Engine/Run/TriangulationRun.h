@@ -68,6 +68,14 @@ protected:
   /// The steps, on the calling threads.
   void computeSteps(PolyhedronBuilder<Geometry>& builder, Triangulation& result);
 
+  /// Write the true triangulation in its canonical form, and what is hidden.
+  /// @param anyFlat whether there is a flat edge
+  template <class Surface>
+  void write(Surface& surface, bool anyFlat, const Tally& tally, Triangulation& result);
+
+  /// All finite points that do not appear.
+  void listHidden(Triangulation& result);
+
 private:
   /// The same span by the first points that do.
   Span firstSpan();
@@ -76,8 +84,6 @@ private:
   void finish(Polyhedron&& polyhedron, Tally& tally, Triangulation& result);
   void finish(PlanePolyhedron&& plane, Tally& tally, Triangulation& result);
   void finish(FinishedCells&& cells, Tally& tally, Triangulation& result);
-  template <class Surface>
-  void write(Surface& surface, bool anyFlat, const Tally& tally, Triangulation& result);
 
   /// Does beforeCanonicalForm() change the triangulation?
   virtual bool changesTriangulation() const { return false; }
@@ -89,9 +95,6 @@ private:
 
   /// Called when the result's points are final, before its cells are written.
   virtual void beforeCells(const VertexRanks&) {}
-
-  /// All finite points that do not appear.
-  void listHidden(Triangulation& result);
 };
 
 extern template class TriangulationRun<false>;

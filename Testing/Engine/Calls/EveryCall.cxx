@@ -11,6 +11,7 @@
 #include <flipflop/Convexify.h>
 #include <flipflop/EdgeLengths.h>
 #include <flipflop/EditableTriangulation.h>
+#include <flipflop/FurthestSite.h>
 #include <flipflop/Measures.h>
 #include <flipflop/Neighbors.h>
 #include <flipflop/TriangulationQueries.h>
@@ -104,6 +105,9 @@ void addRuns(Table& table, const CallInputs& given)
   table.add("regularTriangulation", sites, true, true, refused,
     [](Points points, Weights weights, const Options& options)
     { return bitsOf(regularTriangulation(points, weights, options)); });
+  table.add("furthestSiteTriangulation", sites, true, false, refused,
+    [](Points points, Weights, const Options& options)
+    { return bitsOf(furthestSiteTriangulation(points, options)); });
   // One set of none and one of all, so that the point at fault has the same number.
   const auto batchOf = [](Points points, const auto& run)
   {
