@@ -11,8 +11,10 @@ from vtkflipflop.arrays import (
     InputError,
     Polygons,
     RegularTriangulation,
+    refined_mesh,
     regular_triangulation,
     split_crossings,
+    terrain_mesh,
     validate,
 )
 
@@ -242,3 +244,43 @@ def test_crossings_are_split():
         regular_triangulation(tie.points, constraints=tie, polygons=[[0, 1, 2]])
     with pytest.raises(InputError, match="constraint 0, point 4"):
         split_crossings(square, [[0, 4]])
+
+
+def test_chains_of_too_few_ids_are_left_out():
+    lines, rings = [[0, 40], [7], [40, 44, 80], []], [[], square(0, 8), [3, 4, 3], square(2, 5), [9, 10], [11]]
+    good = {"constraints": [lines[0], lines[2]], "polygons": [rings[1], rings[3]]}
+    given = {"constraints": lines, "polygons": rings}
+    packed = Polygons(np.cumsum([0, *map(len, rings)]), np.concatenate([np.array(ring, int) for ring in rings]))
+    wanted = regular_triangulation(GRID, **good)
+    assert wanted.degenerate == 0
+    for polygons in (rings, packed):
+        ours = regular_triangulation(GRID, constraints=lines, polygons=polygons, degenerate="ignore")
+        assert ours.degenerate == 6
+        for name in ("simplices", "constraints", "constraint_of", "dropped"):
+            assert np.array_equal(getattr(ours, name), getattr(wanted, name))
+    # The caller's numbers stay: of what is left out, of errors, and of pieces.
+    sentence = r"constraints\[1\] has 1 id\(s\); .*; degenerate='ignore' leaves it out$"
+    with pytest.raises(InputError, match=sentence) as raised:
+        regular_triangulation(GRID, **given)
+    assert (raised.value.index, raised.value.count) == (1, 2)
+    with pytest.raises(InputError, match=r"^polygons\[0\] has 0 id\(s\); it takes 3 or more") as raised:
+        regular_triangulation(GRID, polygons=rings)
+    assert (raised.value.index, raised.value.count) == (0, 4)
+    with pytest.raises(InputError, match=r"point 99; constraint 3 is of polygons\[1\]$"):
+        regular_triangulation(GRID, polygons=[[1, 2], [0, 1, 9, 10, 99]], degenerate="ignore")
+    split = split_crossings(GRID, [[5], [0, 40], [36, 4]], rings, degenerate="ignore")
+    assert split.degenerate == 5 and set(split.polygon_of) == {1, 3} and split.new_points == 0
+    again = regular_triangulation(split.points, constraints=split)
+    assert again.degenerate == 5 and again.areas.sum() == 64 - 9
+    # As if nothing was given: all is inside.
+    nothing = regular_triangulation(GRID, polygons=[[0, 1], []], degenerate="ignore")
+    assert (nothing.degenerate, nothing.dropped, nothing.areas.sum()) == (2, 0, 64)
+    mesh = refined_mesh(GRID, **given, degenerate="ignore")
+    assert mesh.degenerate == 6 and mesh.areas.sum() == pytest.approx(64 - 9, rel=1e-13)
+    with pytest.raises(InputError, match=r"constraints\[1\] has 1 id"):
+        refined_mesh(GRID, **given)
+    terrain = terrain_mesh(GRID, np.zeros(81), constraints=lines, degenerate="ignore")
+    assert terrain.degenerate == 2 and terrain.fixed_edges.tolist() == [[0, 40], [40, 44], [44, 80]]
+    for call in (regular_triangulation, split_crossings, refined_mesh):
+        with pytest.raises(ValueError, match="degenerate is one of 'error', 'ignore', not 'skip'"):
+            call(GRID, constraints=[], degenerate="skip")

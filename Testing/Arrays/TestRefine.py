@@ -75,6 +75,24 @@ class TestRefine(unittest.TestCase):
         self.check(mesh, 28)
         self.assertAlmostEqual(mesh.areas.sum(), 12, delta=1e-12)
 
+    def test_geometries_of_too_few_points(self):
+        """They are left out and counted, also as regions, whose numbers stay."""
+        square = _polygon([[0, 0], [4, 0], [4, 4], [0, 4]])
+        nothing = {"type": "Polygon", "coordinates": ()}
+        inner, two = _polygon([[1, 1], [2, 1], [2, 2], [1, 2]]), _polygon([[1, 1], [2, 2]])
+        mesh = refined_mesh([], lines=[square, nothing, two], regions=[nothing, (two, 1), inner], degenerate="ignore")
+        self.assertEqual(mesh.degenerate, 4)
+        self.assertAlmostEqual(mesh.areas.sum(), 16, delta=1e-13)
+        self.assertAlmostEqual(mesh.areas[mesh.region_of == 2].sum(), 1, delta=1e-13)
+        self.assertEqual(set(mesh.region_of), {-1, 2})
+        for lines, regions, name in (
+            ([square, two], None, r"lines\[1\], ring 0 has 2 point"),
+            (square, [inner, nothing], r"regions\[1\] is empty"),
+            (square, [(two, 0.1)], r"regions\[0\], ring 0 has 2 point"),
+        ):
+            with self.assertRaisesRegex(InputError, f"^{name}.*; degenerate='ignore' leaves it out$"):
+                refined_mesh([], lines=lines, regions=regions)
+
     def test_overlapping_polygons(self):
         """Their union is meshed."""
         squares = [_polygon([[x, x], [x + 2, x], [x + 2, x + 2], [x, x + 2]]) for x in (0, 1)]

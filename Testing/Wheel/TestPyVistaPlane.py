@@ -184,6 +184,14 @@ def test_closed_lines_are_borders():
     assert both.field_data["DegenerateLines"].tolist() == [4] and both.area == 16
     mesh = terrain_mesh(hull, lines=few, degenerate="ignore")
     assert mesh.field_data["DegenerateLines"].tolist() == [4]
+    square, chains = pv.PolyData(SQUARE), pv.PolyData(SQUARE, lines=[1, 0, 2, 0, 2], faces=[2, 0, 1, 4, 0, 1, 2, 3])
+    with pytest.raises(InputError, match=r"constraints\[0\] has 1 id\(s\); .*; degenerate='ignore' leaves it out$"):
+        regular_triangulation(square, constraints=chains)
+    for mesh in (
+        regular_triangulation(square, constraints=chains, degenerate="ignore"),
+        terrain_mesh(square, constraints=chains, degenerate="ignore"),
+    ):
+        assert mesh.field_data["DegenerateLines"].tolist() == [2]
     repeated = pv.PolyData(corners, faces=[4, 0, 1, 1, 0])
     with pytest.raises(InputError, match=r"cell 0 of lines has 2 point\(s\) without repeated ones: a ring takes 3"):
         constrained_triangulation(hull, repeated)

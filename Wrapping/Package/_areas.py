@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._arguments import float_of
 from ._constrained import ConstrainedTriangulation
 from ._errors import InputError
-from ._geometries import Lines, lines_of
+from ._geometries import Degenerate, Lines, lines_of
 from ._image import Image
 from ._input import doubles_of, is_array_like, values_of
 from ._lines import constrained_triangulation
@@ -80,11 +80,14 @@ class Regions(NamedTuple):
     numbers : ndarray
         for each of these the row in regions, -1 of a hole
     polygons : list of PolygonRegion
+    degenerate : int
+        how many rings and geometries of too few points were left out
     """
 
     rows: Floats
     numbers: Ids
     polygons: list[PolygonRegion]
+    degenerate: int
 
     def of_error(self, error: InputError) -> InputError:
         """The engine's error, which has the number of a row, by the caller's names; of other errors, itself."""
@@ -96,10 +99,10 @@ class Regions(NamedTuple):
         return InputError(f"{sentence}: " + (f"regions[{number}]" if number >= 0 else f"holes[{hole}]"), error.code)
 
 
-def regions_of(regions: Any, holes: ArrayLike | None) -> Regions:
+def regions_of(regions: Any, holes: ArrayLike | None, degenerate: Degenerate = "error") -> Regions:
     points: list[Any] = []
     numbers: list[int] = []
-    polygons = []
+    polygons, excluded = [], 0
     given = regions if is_array_like(regions) and _has_polygon(regions) else None
     if given is None:
         points = [*_rows_of("regions", regions, (2, 3))]
@@ -107,7 +110,10 @@ def regions_of(regions: Any, holes: ArrayLike | None) -> Regions:
     else:
         for number, item in enumerate(given):
             if _is_geometry(item) or _is_geometry(item[0]):
-                polygons.append(_polygon_of(number, item))
+                polygon = _polygon_of(number, item, degenerate)
+                excluded += polygon.lines.degenerate
+                if polygon.lines.sides:
+                    polygons.append(polygon)
             else:
                 points.append(_rows_of("regions", [item], (2, 3))[0])
                 numbers.append(number)
@@ -117,7 +123,7 @@ def regions_of(regions: Any, holes: ArrayLike | None) -> Regions:
         row[: len(point)] = point
     rows[len(points) :, :2] = outside
     rows[len(points) :, 3] = 1
-    return Regions(rows, np.array([*numbers, *[-1] * len(outside)], np.int64), polygons)
+    return Regions(rows, np.array([*numbers, *[-1] * len(outside)], np.int64), polygons, excluded)
 
 
 def limits_of(area: Any, polygons: list[PolygonRegion], count: int | None) -> AreaLimits:
@@ -153,7 +159,7 @@ def with_sides(lines: Lines, polygons: list[PolygonRegion]) -> Lines:
             points=np.concatenate([lines.points, other.points[:, :2]]),
             ends=joined(lines.ends, other.ends + len(lines.points)),
             geometry_of=joined(lines.geometry_of, other.geometry_of),
-            names=lines.names + [name.replace("lines", f"regions[{polygon.number}]", 1) for name in other.names],
+            names=lines.names + other.names,
             chain_of=joined(lines.chain_of, other.chain_of + len(lines.names)),
         )
     return lines
@@ -170,16 +176,16 @@ def _has_polygon(regions: Any) -> bool:
     )
 
 
-def _polygon_of(number: int, item: Any) -> PolygonRegion:
+def _polygon_of(number: int, item: Any, degenerate: Degenerate) -> PolygonRegion:
     name = f"regions[{number}]"
     polygon, area = (item, 0.0) if _is_geometry(item) else (item[0], item[1] if len(item) == 2 else None)
     if area is None:
         raise ValueError(f"{name} is a polygon and its greatest area")
-    lines = lines_of(polygon, False, "error")
-    if lines.sides == 0 or lines.sides < len(lines.ends):
+    lines = lines_of(polygon, False, degenerate, name)
+    if lines.sides == 0 and lines.degenerate == 0 or lines.sides < len(lines.ends):
         raise TypeError(f"{name} is no polygon")
     most = 0.0 if item is polygon else _area_of(f"the area of {name}", area)
-    return PolygonRegion(number, most, lines, constrained_triangulation([], polygon))
+    return PolygonRegion(number, most, lines, constrained_triangulation([], polygon, degenerate=degenerate))
 
 
 def _rows_of(what: str, values: Any, columns: tuple[int, ...]) -> Floats:

@@ -35,10 +35,13 @@ class ConstrainedTriangulation(RegularTriangulation):
         of polygons
     dropped : int
         how many cells were outside of the polygons; of `polygons`, if facets="polygons" was chosen
+    degenerate : int
+        how many polylines and polygons of too few ids were left out
     """
 
     constraints: Ids
     dropped: int
+    degenerate: int = 0
     _whole: Any
     _sides: int
     _by_direction: bool
@@ -175,6 +178,7 @@ def constrained_triangulation(
         weights=None,
         constraints=given.ends,
         dropped=core.dropped,
+        degenerate=given.degenerate,
         _core=core.inside(),
         _ignores=ignores,
         _whole=core,

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._arguments import choice_of
 from ._errors import InputError, warn_caller
+from ._geometries import Degenerate, Degenerates
 from ._input import ids_of, is_array_like, points_of, refuse_geometry
 from ._results import Floats, Ids, NonFinite, Polygons, Progress, frozen, ignores, refrozen, run, settings
 
@@ -35,6 +36,8 @@ class SplitConstraints(NamedTuple):
         the last so many are sides of polygons
     polygon_of : ndarray
         the caller's polygon that each of these is of
+    degenerate : int
+        how many polylines and polygons of too few ids were left out
     """
 
     points: Floats
@@ -43,6 +46,7 @@ class SplitConstraints(NamedTuple):
     constraint_of: Ids
     sides: int
     polygon_of: Ids
+    degenerate: int = 0
 
     def __reduce__(self) -> tuple[Any, ...]:
         return refrozen, (type(self), *self)
@@ -65,23 +69,31 @@ class Constraints:
         whether polygons define what is inside by their direction, or by the even-odd rule
     points : ndarray, optional
         the coordinates that ids are said to have
+    degenerate : int
+        how many polylines and polygons of too few ids were left out
     """
 
     points: NDArray[Any] | None = None
 
     def __init__(
-        self, polylines: Chains | SplitConstraints | None, polygons: Chains | None, rule: PolygonRule = "even-odd"
+        self,
+        polylines: Chains | SplitConstraints | None,
+        polygons: Chains | None,
+        rule: PolygonRule = "even-odd",
+        degenerate: Degenerate | None = None,
     ) -> None:
         self.by_direction = choice_of("polygon_rule", rule, ("even-odd", "direction")) == "direction"
+        degenerates = Degenerates(degenerate)
         if isinstance(polylines, SplitConstraints):
             if polygons is not None:
                 raise ValueError("constraints that were split have their polygons: leave polygons out")
             self.ends, self.sides = polylines.constraints, polylines.sides
             self._lines, self._polygons = np.arange(len(self.ends) - self.sides), polylines.polygon_of
-            self._are_pairs = True
+            self._are_pairs, self.degenerate = True, polylines.degenerate
             return
-        lines, self._lines = joined("constraints", polylines, False)
-        sides, self._polygons = joined("polygons", polygons, True)
+        lines, self._lines = joined("constraints", polylines, False, degenerates)
+        sides, self._polygons = joined("polygons", polygons, True, degenerates)
+        self.degenerate = degenerates.count
         self.ends = frozen(np.concatenate([lines, sides]))
         self.sides = len(sides)
         self._are_pairs = np.array_equal(self._lines, np.arange(len(lines)))
@@ -121,24 +133,23 @@ class Constraints:
         return f"constraints[{self._lines[row]}]" if row < lines else f"polygons[{self._polygons[row - lines]}]"
 
 
-def joined(what: str, values: Chains | None, are_closed: bool) -> tuple[Ids, Ids]:
+def joined(what: str, values: Chains | None, are_closed: bool, degenerates: Degenerates) -> tuple[Ids, Ids]:
     """The pairs of consecutive ids, of the last and the first, too, if closed; and the number of each pair's chain."""
     chains_of = _chains(what, [] if values is None else values)
     offsets, ids = chains_of.offsets, chains_of.connectivity
-    sizes = np.diff(offsets)
-    _require(sizes, 2 + are_closed, what)
-    if are_closed:
-        _require(sizes - (ids[offsets[:-1]] == ids[offsets[1:] - 1]), 3, what)
+    sizes, least = np.diff(offsets), 2 + are_closed
+    counts = sizes.copy()
+    if are_closed:  # without the first again
+        several = np.flatnonzero(sizes > 1)
+        counts[several] -= ids[offsets[several]] == ids[offsets[several + 1] - 1]
+    kept = counts >= least
+    if not kept.all():
+        first, excluded = int(kept.argmin()), int((~kept).sum())
+        sentence = f"{what}[{first}] has {counts[first]} id(s); it takes {least} or more{degenerates.advice}"
+        degenerates.add(InputError(sentence, "bad_argument", first, excluded), excluded)
+        ids, offsets = ids[np.repeat(kept, sizes)], np.concatenate([[0], np.cumsum(sizes[kept])])
     ends, chain_of = _core.constraints_along(offsets, ids, are_closed)
-    return ends, chain_of
-
-
-def _require(sizes: NDArray[Any], least: int, what: str) -> None:
-    few = sizes < least
-    if few.any():
-        first = int(few.argmax())
-        sentence = f"{what}[{first}] has {sizes[first]} id(s); it takes {least} or more"
-        raise InputError(sentence, "bad_argument", first, int(few.sum()))
+    return ends, np.flatnonzero(kept)[chain_of]
 
 
 def _chains(what: str, values: Chains) -> Polygons:
@@ -190,13 +201,14 @@ def split_crossings(
     *,
     threads: int = 0,
     non_finite: NonFinite = "error",
+    degenerate: Degenerate = "error",
     progress: Progress = None,
 ) -> SplitConstraints:
     """Splits constraints where they cross, at new points, which are rounded.
 
     Parameters
     ----------
-    points, constraints, polygons, threads, non_finite, progress
+    points, constraints, polygons, threads, non_finite, degenerate, progress
         as for regular_triangulation()
 
     Raises
@@ -205,7 +217,7 @@ def split_crossings(
         names the first point at fault, or the constraint
     """
     array, left_out = points_of(points, ignores(non_finite))
-    given = Constraints(constraints, polygons)
+    given = Constraints(constraints, polygons, degenerate=degenerate)
     chosen = settings(threads, "triangles", non_finite, "cpu", progress, left_out)
     try:
         pieces, constraint_of, sides, positions = run(chosen, _core.split_crossings, array, given.ends, given.sides)
@@ -213,4 +225,4 @@ def split_crossings(
         raise given.of_error(error) from None
     whole = frozen(np.vstack([np.asarray(array)[:, :2].astype(np.float64), positions]))
     polygon_of = frozen(given.polygon_of(constraint_of[len(constraint_of) - sides :]))
-    return SplitConstraints(whole, len(positions), pieces, constraint_of, sides, polygon_of)
+    return SplitConstraints(whole, len(positions), pieces, constraint_of, sides, polygon_of, given.degenerate)

@@ -91,17 +91,18 @@ class Chain(NamedTuple):
 
 
 class Degenerates:
-    """Whether what has too few points is left out, and how many such there were."""
+    """Whether what has too few points is left out, and how many such there were. None: there is no such choice."""
 
-    def __init__(self, degenerate: Degenerate) -> None:
-        self._ignores = choice_of("degenerate", degenerate, ("error", "ignore")) == "ignore"
+    def __init__(self, degenerate: Degenerate | None) -> None:
+        self._ignores = choice_of("degenerate", degenerate or "error", ("error", "ignore")) == "ignore"
+        self.advice = "" if degenerate is None else "; degenerate='ignore' leaves it out"
         self.count = 0
 
-    def add(self, error: Exception) -> None:
+    def add(self, error: Exception, count: int = 1) -> None:
         """Counts it, or raises the error."""
         if not self._ignores:
             raise error
-        self.count += 1
+        self.count += count
 
     def excluded(self, name: str, number: int, points: NDArray[Any], is_ring: bool) -> bool:
         """Whether a line or a ring is left out. Of points at one position in a row, one counts."""
@@ -114,25 +115,26 @@ class Degenerates:
             return False
         what = "a ring takes 3 or more, besides the first again" if is_ring else "a line takes 2 or more"
         repeated = " without repeated ones" if count < len(points) else ""
-        sentence = f"{name} has {count} point(s){repeated}: {what}; degenerate='ignore' leaves it out"
+        sentence = f"{name} has {count} point(s){repeated}: {what}{self.advice}"
         self.add(InputError(sentence, "bad_argument", number))
         return True
 
     def empty(self, name: str, number: int) -> None:
-        sentence = f"{name} is empty: it has no point; degenerate='ignore' leaves it out"
+        sentence = f"{name} is empty: it has no point{self.advice}"
         self.add(InputError(sentence, "bad_argument", number))
 
 
-def lines_of(values: Any, closed_are_rings: bool, degenerate: Degenerate = "error") -> Lines:
+def lines_of(values: Any, closed_are_rings: bool, degenerate: Degenerate = "error", what: str = "lines") -> Lines:
     """The lines and polygons of geometries.
 
-    closed_are_rings: whether lines that end where they begin, alone or end to end, are rings of polygons
+    closed_are_rings: whether lines that end where they begin, alone or end to end, are rings of polygons. what: the
+    name of values
     """
     degenerates = Degenerates(degenerate)
     chains: list[Chain] = []
     tables: list[Floats] = []
     is_outer_excluded = False
-    for name, number, kind, coordinates in _parts_of(values, degenerates):
+    for name, number, kind, coordinates in _parts_of(what, values, degenerates):
         is_ring = kind in ("Ring", "Hole")
         points = _points_of_chain(name, number, coordinates, is_ring)
         if kind == "Hole" and is_outer_excluded:
@@ -196,16 +198,16 @@ def lines_from(
     )
 
 
-def _parts_of(values: Any, degenerates: Degenerates) -> Iterator[tuple[str, int, str, Any]]:
+def _parts_of(what: str, values: Any, degenerates: Degenerates) -> Iterator[tuple[str, int, str, Any]]:
     """The name, the geometry's number, the kind and the coordinates of each line and ring."""
-    waiting: list[tuple[str, int, int, str | None, Any]] = [("lines", 0, -1, None, values)]
+    waiting: list[tuple[str, int, int, str | None, Any]] = [(what, 0, -1, None, values)]
     while waiting:
         name, depth, number, kind, value = waiting.pop()
         if depth > _DEEPEST:
             raise TypeError(f"lines are nested more than {_DEEPEST} levels deep")
         if kind is None:
             if value is None:
-                degenerates.add(TypeError(f"{name} has no geometry: it is None; degenerate='ignore' leaves it out"))
+                degenerates.add(TypeError(f"{name} has no geometry: it is None{degenerates.advice}"))
                 continue
             kind, value = _kind_of(name, value)
         if kind == "Feature":

@@ -48,7 +48,6 @@ class JoinedTriangulation(ConstrainedTriangulation):
     geometry_of: Ids
     height_range: Floats | None
     differing: int
-    degenerate: int
     _line_points: Ids  # that were added
     _crossed: Ids  # of each crossing, the ends of the first line there
     _masked: Floats | None  # the points, where some were left out for their height

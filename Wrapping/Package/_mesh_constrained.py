@@ -11,6 +11,7 @@ import pyvista as pv
 from ._arguments import flag_of
 from ._constraints import PolygonRule
 from ._geometries import Degenerate
+from ._mesh_constraints import count_degenerate
 from ._mesh_lines import lines_of_call
 from ._mesh_runs import Run
 from ._meshes import Block, is_tree
@@ -85,6 +86,5 @@ def constrained_triangulation(
         return [run.joined(block, lines, given, polygon_rule, report)]
 
     found: pv.PolyData = each_block(data, triangulated, 1, progress)[0]
-    if degenerate == "ignore":
-        found.field_data["DegenerateLines"] = [given.degenerate]
+    count_degenerate(found, given, degenerate)
     return found

@@ -12,12 +12,15 @@ from numpy.typing import NDArray
 
 from ._constraints import Constraints, PolygonRule
 from ._errors import InputError
+from ._geometries import Degenerate, Lines
 from ._meshes import Cloud
 from ._results import Polygons
 from ._vtkmodules import values_of
 
 
-def constraints_of_call(value: Any, rule: PolygonRule, composite: bool, weighted: bool) -> Constraints | None:
+def constraints_of_call(
+    value: Any, rule: PolygonRule, composite: bool, weighted: bool, degenerate: Degenerate
+) -> Constraints | None:
     """What the argument of this name tells; None: nothing."""
     if value is None:
         return None
@@ -26,13 +29,19 @@ def constraints_of_call(value: Any, rule: PolygonRule, composite: bool, weighted
     if weighted:
         raise ValueError("constraints take no weights and no radii")
     if not hasattr(value, "IsA"):
-        return Constraints(value, None, rule)
+        return Constraints(value, None, rule, degenerate)
     if not value.IsA("vtkPolyData"):
         raise TypeError(f"constraints are a PolyData, or sequences of ids, not a {value.GetClassName()}")
-    given = Constraints(chains_of(value.GetLines()), chains_of(value.GetPolys()), rule)
+    given = Constraints(chains_of(value.GetLines()), chains_of(value.GetPolys()), rule, degenerate)
     if value.GetNumberOfPoints() > 0:
         given.points = values_of(value.GetPoints().GetData()).reshape(-1, 3)
     return given
+
+
+def count_degenerate(made: Any, given: Constraints | Lines | None, degenerate: Degenerate) -> None:
+    """Gives a mesh the count of what was left out, where that was asked for."""
+    if given is not None and degenerate == "ignore":
+        made.field_data["DegenerateLines"] = [given.degenerate]
 
 
 class CloudConstraints:

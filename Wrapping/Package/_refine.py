@@ -15,7 +15,7 @@ from ._areas import AreaFunction, PolygonRegion, limits_of, regions_of, with_sid
 from ._arguments import float_of, most_of
 from ._constraints import Chains, Constraints, PolygonRule, SplitConstraints
 from ._errors import InputError, warn_caller
-from ._geometries import lines_of
+from ._geometries import Degenerate, lines_of
 from ._image import Image
 from ._input import values_of, whole_points_of
 from ._lines import joined_triangulation
@@ -55,6 +55,8 @@ class RefinedMesh(Frozen):
         whether maximum_points did not end it
     kept_segments, kept_triangles : int
         how many segments were too short to be divided, and triangles too near to a vertex
+    degenerate : int
+        how many polylines, rings and geometries of too few points were left out
     statistics : dict
         counts and seconds
     """
@@ -74,6 +76,7 @@ class RefinedMesh(Frozen):
     is_complete: bool
     kept_segments: int
     kept_triangles: int
+    degenerate: int
     dimension: int
     statistics: dict[str, float]
     _across: Ids
@@ -126,6 +129,7 @@ def refined_mesh(
     holes: ArrayLike | None = None,
     maximum_points: int | None = None,
     polygon_rule: PolygonRule = "even-odd",
+    degenerate: Degenerate = "error",
     threads: int = 0,
     progress: Progress = None,
 ) -> RefinedMesh:
@@ -160,6 +164,8 @@ def refined_mesh(
         a point in each part that is to be left out
     maximum_points : int, optional
         no more points are inserted; by default ten million. Then the mesh is not complete, and there is a warning.
+    degenerate : {"error", "ignore"}
+        as for regular_triangulation(), and as for constrained_triangulation() of lines and of regions that are polygons
     threads, progress
         see the module
 
@@ -169,7 +175,7 @@ def refined_mesh(
         as regular_triangulation(); or a row of regions, then of holes, that is outside the mesh, on a constraint, or in
         the part of another
     """
-    parts = regions_of(regions, holes)
+    parts = regions_of(regions, holes, degenerate)
     least, most_points = float_of("minimum_angle", minimum_angle), most_of("maximum_points", maximum_points)
     array = whole_points_of(points)
     areas = limits_of(maximum_area, parts.polygons, len(array) if lines is None else None)
@@ -186,7 +192,8 @@ def refined_mesh(
         if lines is not None:
             if constraints is not None or polygons is not None:
                 raise ValueError("segments are constraints and polygons, or lines, not both")
-            chains = with_sides(lines_of(lines, False, "error"), parts.polygons)
+            own = lines_of(lines, False, degenerate)
+            chains, excluded = with_sides(own, parts.polygons), own.degenerate
             joined = joined_triangulation(array, chains, polygon_rule, False, lambda a, b: part(0.3 * a, 0.3 * b))
             array, begin = joined.points, 0.3
             ends, sides, by_direction = joined.constraints, joined._sides, joined._by_direction
@@ -194,7 +201,8 @@ def refined_mesh(
             features = np.ascontiguousarray(joined.geometry_of[len(ends) - sides :]) if is_union else None
             given = None
         else:
-            given = Constraints(constraints, polygons, polygon_rule)
+            given = Constraints(constraints, polygons, polygon_rule, degenerate)
+            excluded = given.degenerate
             ends, sides, by_direction, features = given.ends, given.sides, given.by_direction, None
         try:
             found = _core.refined_mesh(
@@ -218,7 +226,8 @@ def refined_mesh(
         warn_caller("maximum_points ended the refinement: some triangles are still thin, or too large")
     found["statistics"] = named(found["statistics"])
     found["region_of"] = _numbered(np.append(-1, parts.numbers)[found["region_of"]], parts.polygons, found)
-    mesh = RefinedMesh._of(new_points=len(found["points"]) - len(array), constraints=ends, heights=None, **found)
+    counts = {"new_points": len(found["points"]) - len(array), "degenerate": excluded + parts.degenerate}
+    mesh = RefinedMesh._of(constraints=ends, heights=None, **counts, **found)
     if array.shape[1] == 3:
         mesh.__dict__["heights"] = mesh.values_at_points(array[:, 2])
     return mesh

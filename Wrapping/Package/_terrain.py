@@ -61,6 +61,8 @@ class TerrainMesh(Frozen):
         how many points are farther than the tolerance; 0: it is met, exactly
     unreachable : int
         how many of these are at the position of a vertex, which has another height
+    degenerate : int
+        how many constraints, lines and geometries of too few points were left out
     joined : JoinedTriangulation or None
         with lines, the triangulation of all points and theirs: `joined.points` are those given, then those that lines
         add, then those where lines cross; `joined.geometry_of[constraint_of]` are the geometries
@@ -79,6 +81,7 @@ class TerrainMesh(Frozen):
     greatest_error: float
     beyond: int
     unreachable: int
+    degenerate: int
     joined: JoinedTriangulation | None
     dimension: int
     statistics: dict[str, float]
@@ -136,7 +139,7 @@ def terrain_mesh(
     threads, non_finite, progress
         see the module; a height that is not finite is like such a coordinate
     degenerate : {"error", "ignore"}
-        as constrained_triangulation() has it for lines
+        as regular_triangulation() has it for constraints, and constrained_triangulation() for lines
 
     Raises
     ------
@@ -169,13 +172,13 @@ def terrain_mesh(
             if constraints is not None:
                 raise ValueError("breaklines are constraints or lines, not both")
             return mesh_with_lines(array, levels, lines_of(lines, False, degenerate), limits, left_out, part)
-        given = Constraints(constraints, None)
+        given = Constraints(constraints, None, degenerate=degenerate)
         try:
             found, _ = _core.terrain_mesh(array, levels, given.ends, *limits, part(0.0, 1.0))
         except InputError as error:
             raise given.of_error(error) from None
     found["statistics"] = named(found["statistics"])
-    return TerrainMesh._of(joined=None, **found)
+    return TerrainMesh._of(joined=None, degenerate=given.degenerate, **found)
 
 
 def mesh_with_lines(
@@ -199,7 +202,7 @@ def mesh_with_lines(
         joined = JoinedTriangulation._of(**{**vars(joined), "points": given, "_masked": joined.points})
     found, _ = _core.terrain_mesh(joined.points, None, joined.constraints, *limits, part(0.5, 1.0))
     found["statistics"] = named(found["statistics"])
-    return TerrainMesh._of(joined=joined, **found)
+    return TerrainMesh._of(joined=joined, degenerate=lines.degenerate, **found)
 
 
 def limits_of(tolerance: float, vertices: int | None) -> tuple[float, int]:

@@ -17,6 +17,7 @@ from ._constraints import Chains, Constraints, PolygonRule, SplitConstraints
 from ._device import memory_of
 from ._domain import domain_of_call
 from ._errors import InputError
+from ._geometries import Degenerate
 from ._image import METHODS, Image, Method, grid_of, image_of
 from ._input import points_and_weights_of, points_of, values_of
 from ._power_diagram import PowerDiagram
@@ -406,6 +407,7 @@ def regular_triangulation(
     constraints: None = ...,
     polygons: None = ...,
     polygon_rule: PolygonRule = ...,
+    degenerate: Degenerate = ...,
     facets: Facets = ...,
     threads: int = ...,
     non_finite: NonFinite = ...,
@@ -422,6 +424,7 @@ def regular_triangulation(
     constraints: Chains | SplitConstraints,
     polygons: Chains | None = ...,
     polygon_rule: PolygonRule = ...,
+    degenerate: Degenerate = ...,
     facets: Facets = ...,
     threads: int = ...,
     non_finite: NonFinite = ...,
@@ -438,6 +441,7 @@ def regular_triangulation(
     constraints: None = ...,
     polygons: Chains,
     polygon_rule: PolygonRule = ...,
+    degenerate: Degenerate = ...,
     facets: Facets = ...,
     threads: int = ...,
     non_finite: NonFinite = ...,
@@ -453,6 +457,7 @@ def regular_triangulation(
     constraints: Chains | SplitConstraints | None = None,
     polygons: Chains | None = None,
     polygon_rule: PolygonRule = "even-odd",
+    degenerate: Degenerate = "error",
     facets: Facets = "triangles",
     threads: int = 0,
     non_finite: NonFinite = "error",
@@ -478,6 +483,9 @@ def regular_triangulation(
         what is inside polygons. By nesting: a ring keeps its inside, one in it is a hole, to any depth, whatever their
         directions; each side counts, so what two rings have in common is outside. Or by direction: what is on the left
         of a side; a clockwise ring is a hole.
+    degenerate : {"error", "ignore"}
+        what polylines of fewer than two ids and rings of fewer than three lead to: an error, or that they are left out
+        and counted, as if they were not given
     facets : {"triangles", "polygons"}
         which form of the facets is made at once; the other is made when it is first used
     threads, non_finite, engine, progress
@@ -498,7 +506,7 @@ def regular_triangulation(
             raise InputError(
                 "the CUDA engine was asked for, but constraints are the CPU's: leave engine out", "bad_argument"
             )
-        given = Constraints(constraints, polygons, polygon_rule)
+        given = Constraints(constraints, polygons, polygon_rule, degenerate)
         from ._constrained import constrained_triangulation  # which needs this module
 
         return constrained_triangulation(array, given, chosen, left_out)

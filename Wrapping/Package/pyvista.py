@@ -37,7 +37,7 @@ from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOf
 from ._constraints import PolygonRule
 from ._geometries import Degenerate
 from ._mesh_constrained import constrained_triangulation
-from ._mesh_constraints import constraints_of_call
+from ._mesh_constraints import constraints_of_call, count_degenerate
 from ._mesh_image import to_image
 from ._mesh_lines import breaklines_of_call
 from ._mesh_refinement import refined_mesh
@@ -198,6 +198,7 @@ def regular_triangulation(
     weight_factor: float = ...,
     constraints: Any = ...,
     polygon_rule: PolygonRule = ...,
+    degenerate: Degenerate = ...,
     alpha: float | None = ...,
     maximum_edge_length: float | None = ...,
     facets: Facets = ...,
@@ -222,6 +223,7 @@ def regular_triangulation(
     weight_factor: float = ...,
     constraints: Any = ...,
     polygon_rule: PolygonRule = ...,
+    degenerate: Degenerate = ...,
     alpha: float | None = ...,
     maximum_edge_length: float | None = ...,
     facets: Facets = ...,
@@ -245,6 +247,7 @@ def regular_triangulation(
     weight_factor: float = 1.0,
     constraints: Any = None,
     polygon_rule: PolygonRule = "even-odd",
+    degenerate: Degenerate = "error",
     alpha: float | None = None,
     maximum_edge_length: float | None = None,
     facets: Facets = "triangles",
@@ -278,6 +281,9 @@ def regular_triangulation(
         what is inside the polygons of constraints; cells outside are left out, and a warning says so if that is all.
         By nesting: a polygon keeps its inside, one in it is a hole, whatever their directions. Or by direction, as VTK
         has it: what is on the left of a side; holes run clockwise.
+    degenerate : {"error", "ignore"}
+        what lines of fewer than two ids and polygons of fewer than three lead to: an error, or that they are left out;
+        the field data "DegenerateLines" then counts them
     alpha : float, optional
         leave out cells whose circumcircle has a larger radius, compared exactly: the triangles of alpha_complex() of
         vtkflipflop.arrays, which explains alpha with weights. By default, and at 0, none. All points stay.
@@ -325,12 +331,13 @@ def regular_triangulation(
     radius = None if alpha is None else alpha_of(alpha) or None
     data = data_of(mesh)
     weighting = weights_of_call(weights, radii, weight_factor, is_tree(data))
-    given = constraints_of_call(constraints, polygon_rule, is_tree(data), weighting.values is not None)
+    given = constraints_of_call(constraints, polygon_rule, is_tree(data), weighting.values is not None, degenerate)
 
     def triangulated(block: Block, report: Report) -> list[Any]:
         return run.triangulation(block, weighting, given, projection, radius, limit, report, both)
 
     outputs = each_block(data, triangulated, 2 if both else 1, progress)
+    count_degenerate(outputs[0], given, degenerate)
     return (outputs[0], outputs[1]) if both else outputs[0]
 
 
@@ -483,7 +490,7 @@ def terrain_mesh(
     threads, non_finite, skip_ghost_points, pass_point_data, progress
         as for regular_triangulation(); a height that is not finite is like such a coordinate
     degenerate : {"error", "ignore"}
-        as constrained_triangulation() has it for lines; the mesh's field data has "DegenerateLines" then, too
+        as regular_triangulation() has it for constraints, and constrained_triangulation() for lines
 
     Returns
     -------
@@ -504,15 +511,14 @@ def terrain_mesh(
     if heights is not None and not isinstance(heights, str) and is_tree(data):
         raise TypeError("the heights of a composite are the name of a point array")
     levels = Weights(heights, False, 1.0)
-    given = constraints_of_call(constraints, "even-odd", is_tree(data), False)
+    given = constraints_of_call(constraints, "even-odd", is_tree(data), False, degenerate)
     own = breaklines_of_call(lines, constraints, heights, is_tree(data), degenerate)
 
     def meshed(block: Block, report: Report) -> list[Any]:
         return run.terrain(block, levels, given, own, limits, report, both)
 
     outputs = each_block(data, meshed, 2 if both else 1, progress)
-    if own is not None and degenerate == "ignore":
-        outputs[0].field_data["DegenerateLines"] = [own[1].degenerate]
+    count_degenerate(outputs[0], given if own is None else own[1], degenerate)
     return (outputs[0], outputs[1]) if both else outputs[0]
 
 
