@@ -35,6 +35,12 @@ GRID = np.stack(np.meshgrid(np.arange(6), np.arange(6), indexing="ij"), -1).resh
 RING = [0, 30, 35, 5]
 HOLE = [7, 9, 21, 19]
 
+
+
+def selected(whole):
+    return whole.with_cells(np.arange(whole.nsimplex) % 3 > 0)
+
+
 RESULTS = {
     "hull": lambda: convex_hull(SPACE),
     "hull of facets": lambda: convex_hull(CUBE, facets="polygons"),
@@ -49,6 +55,8 @@ RESULTS = {
     "diagram": lambda: power_diagram(PLANE, WEIGHTS),
     "diagram of nothing": lambda: power_diagram(PLANE[:0]),
     "alpha complex": lambda: alpha_complex(PLANE, 0.05),
+    "selection": lambda: selected(regular_triangulation(PLANE, WEIGHTS)),
+    "selection of polygons": lambda: selected(RESULTS["polygons"]()),
     "constrained": lambda: regular_triangulation(GRID, constraints=[[0, 35], [1, 17]]),
     "polygons": lambda: regular_triangulation(GRID, constraints=[[1, 2]], polygons=[RING, HOLE], facets="polygons"),
     "refined": lambda: refined_mesh(GRID, polygons=[RING, HOLE], minimum_angle=30),

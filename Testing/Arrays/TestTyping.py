@@ -19,7 +19,7 @@ import vtkflipflop
 from numpy.typing import NDArray
 from typing import assert_type
 from vtkflipflop.arrays import CentroidalCells, PrescribedAreas, centroidal_cells, prescribed_areas
-from vtkflipflop.arrays import ConvexHull, Diameter, HullBatch, InputError, OrientedBox, Polygons
+from vtkflipflop.arrays import CellSelection, ConvexHull, Diameter, HullBatch, InputError, OrientedBox, Polygons
 from vtkflipflop.arrays import Validation, convex_hull, convex_hulls, convexify, power_diagram, regular_triangulation
 from vtkflipflop.arrays import PowerDiagram, RegularTriangulation, AlphaComplex, ConstrainedTriangulation, TerrainMesh
 from vtkflipflop.arrays import alpha_complex, refined_mesh, terrain_mesh, validate
@@ -76,6 +76,8 @@ assert_type(triangulation.alphas, NDArray[np.float64])
 assert_type(triangulation.alpha_complex(1), AlphaComplex)
 assert_type(alpha_complex([[0.0, 1]], 0.5).within, NDArray[np.bool_])
 assert_type(alpha_complex([[0.0, 1]], 0.5).boundary, Polygons)
+assert_type(triangulation.with_cells(triangulation.within_edge_length(1)), CellSelection)
+assert_type(alpha_complex([[0.0, 1]], 0.5).cells.locate([0, 0]), np.int64 | NDArray[np.int64])
 assert_type(centroidal_cells([[0.0, 1]], domain=(0, 1, 0, 1)), CentroidalCells)
 assert_type(centroidal_cells([[0.0, 1]]).diagram, PowerDiagram)
 assert_type(prescribed_areas([[0.0, 1]], [1], [[0, 0], [1, 0], [0, 1]]), PrescribedAreas)

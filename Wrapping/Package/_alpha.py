@@ -10,9 +10,10 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _core
 from ._arguments import float_of
-from ._results import QUIET, Floats, Frozen, Ids, Polygons, frozen
+from ._plane_cells import PlaneCells
+from ._results import Floats, Frozen, Ids, Polygons
+from ._selection import CellSelection
 
 
 class AlphaComplex(Frozen):
@@ -41,15 +42,13 @@ class AlphaComplex(Frozen):
     edge_alphas: Floats
     vertices: Ids
     vertex_alphas: Floats
-    _cells: Any
-    _all: Ids
+    _of_all: PlaneCells
     _call: ClassVar[str] = "alpha_complex(points, alpha)"
 
     @classmethod
     def _made(
         cls,
-        cells: Any,
-        simplices: Ids,
+        triangulation: PlaneCells,
         within: NDArray[np.uint8],
         edges: Ids,
         edge_alphas: Floats,
@@ -62,20 +61,31 @@ class AlphaComplex(Frozen):
             edge_alphas=edge_alphas,
             vertices=vertices,
             vertex_alphas=vertex_alphas,
-            _cells=cells,
-            _all=simplices,
+            _of_all=triangulation,
         )
 
     @cached_property
-    def simplices(self) -> Ids:
-        """The triangulation's `simplices` that are in the complex, as rows of ids."""
-        return frozen(self._all[self.within])
+    def cells(self) -> CellSelection:
+        """The triangulation's `simplices` that are in the complex, with their areas, and queries of these alone."""
+        return CellSelection._with(self._of_all, self.within)
 
-    @cached_property
+    @property
+    def simplices(self) -> Ids:
+        """The same as rows of ids."""
+        return self.cells.simplices
+
+    @property
     def boundary(self) -> Polygons:
-        """The border of these, as RegularTriangulation.boundary has it."""
-        some = _core.with_cells(self._cells, self.within.view(np.uint8))
-        return Polygons(*_core.cell_boundary(some, QUIET))
+        """Their border, as RegularTriangulation.boundary has it."""
+        return self.cells.boundary
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        """Their border as a MultiPolygon with holes: shapely.geometry.shape(complex) takes it.
+
+        Edges and points of the complex that no triangle has are no part of it.
+        """
+        return self.cells.__geo_interface__
 
     def __repr__(self) -> str:
         return (

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._input import doubles_of, is_array_like, refuse_geometry
+from ._input import array_of, doubles_of, is_array_like, refuse_geometry, refuse_masked
 
 
 @dataclass
@@ -78,6 +78,17 @@ def number_of(name: str, value: Any) -> float:
     if not np.isfinite(number):
         raise ValueError(f"{name} is a finite number, not {value!r}")
     return number
+
+
+def mask_of(name: str, value: Any, count: int) -> NDArray[np.bool_]:
+    """A copy of an array of so many truths."""
+    array = array_of(value, name)
+    refuse_masked(array, name)
+    if array.dtype != bool and array.size:
+        raise TypeError(f"{name} is an array of bool, not of type {array.dtype}")
+    if array.shape != (count,):
+        raise ValueError(f"{name} is an array of {count} truths, one for each cell, not of shape {array.shape}")
+    return np.array(array, bool)
 
 
 def most_of(name: str, value: Any) -> int:

@@ -13,10 +13,12 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._constraints import Constraints
 from ._errors import InputError
-from ._geometries import multi_line, multi_polygon
+from ._geometries import multi_line
+from ._image import Method
 from ._queries import Lengths, changed, finite, unchanged
 from ._results import QUIET, Ids, NonFinite, Polygons, Progress, Validation, run
-from ._triangulation import Method, RegularTriangulation
+from ._selection import queries_of_some
+from ._triangulation import RegularTriangulation
 
 
 class ConstrainedTriangulation(RegularTriangulation):
@@ -74,16 +76,6 @@ class ConstrainedTriangulation(RegularTriangulation):
         Coordinates are three if the points have three. shapely.geometry.shape() takes it.
         """
         return multi_line(finite(self.points, self.fixed_edges), self.fixed_edges)
-
-    @property
-    def __geo_interface__(self) -> dict[str, Any]:
-        """The border of the cells as a MultiPolygon with holes: shapely.geometry.shape(triangulation) takes it.
-
-        Each part of the cells that edges connect is a polygon. Below dimension 2 it is empty.
-        """
-        rings = [] if self.dimension < 2 else [*self.boundary]
-        points = finite(self.points, self.simplices)
-        return multi_polygon(points, self.simplices, self.neighbors, rings)
 
     @cached_property
     def polygons(self) -> Polygons:
@@ -161,6 +153,9 @@ class ConstrainedTriangulation(RegularTriangulation):
     def _queries(self) -> Any:
         with unchanged():
             return _core.constrained_queries(self._sites, self._whole, QUIET)
+
+    def _queries_of(self, cells: Any) -> Any:
+        return queries_of_some(self._sites, self._whole.__getstate__()[0], cells, QUIET)
 
 
 def constrained_triangulation(

@@ -20,6 +20,7 @@ from ._results import refrozen
 Method = Literal["linear", "natural", "clough-tocher", "laplace"]
 METHODS: tuple[str, ...] = get_args(Method)
 Transform = tuple[float, float, float, float, float, float]
+Grid = tuple[tuple[int, int], Transform]
 
 
 class Image(NamedTuple):
@@ -63,7 +64,7 @@ class Image(NamedTuple):
 
 def grid_of(
     points: NDArray[np.float64], spacing: Any, shape: Any, bounds: ArrayLike | None
-) -> tuple[tuple[int, int], Transform]:
+) -> Grid:
     """Rows and columns, and the transform. points: what the image covers by default."""
     if (spacing is None) == (shape is None):
         raise TypeError("an image has a spacing or a shape: give one of them")
@@ -98,7 +99,7 @@ def image_of(
     query: Callable[..., NDArray[Any]],
     values: ArrayLike,
     count: int,
-    grid: tuple[tuple[int, int], Transform],
+    grid: Grid,
     fill: float,
     dtype: DTypeLike | None,
 ) -> Image:

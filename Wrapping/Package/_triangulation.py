@@ -4,27 +4,26 @@
 
 from __future__ import annotations
 
-from functools import cached_property, partial
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike, NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._alpha import AlphaComplex, alpha_of
-from ._arguments import choice_of, float_of, length_of
+from ._arguments import choice_of
 from ._constraints import Chains, Constraints, PolygonRule, SplitConstraints
 from ._device import memory_of
 from ._domain import domain_of_call
 from ._errors import InputError
 from ._geometries import Degenerate
-from ._image import METHODS, Image, Method, grid_of, image_of
-from ._input import points_and_weights_of, points_of, values_of
+from ._input import points_and_weights_of, points_of
+from ._plane_cells import PlaneCells
 from ._power_diagram import PowerDiagram
-from ._queries import Lengths, Numbers, changed, interpolation_of, results_of, unchanged, with_ones
+from ._queries import Numbers, changed, results_of, unchanged
 from ._results import (
     QUIET,
-    Cells,
     Engine,
     Facets,
     Floats,
@@ -38,12 +37,13 @@ from ._results import (
     run,
     settings,
 )
+from ._selection import fixed, queries_of_some
 
 if TYPE_CHECKING:
     from ._constrained import ConstrainedTriangulation
 
 
-class RegularTriangulation(Cells):
+class RegularTriangulation(PlaneCells):
     """The exact regular (weighted Delaunay) triangulation of points in the plane.
 
     Ids are rows of the caller's array. A point that does not appear is in `hidden`. The form is the same for any
@@ -97,45 +97,6 @@ class RegularTriangulation(Cells):
         found = self.locate(self._sites, non_finite="ignore" if self._ignores else "error")
         return frozen(np.asarray(found))
 
-    @property
-    def areas(self) -> Floats:
-        """The area of each of `simplices`, rounded."""
-        return self._measures[0]
-
-    @property
-    def centroids(self) -> Floats:
-        """The x and y of the centroid of each of `simplices`, rounded."""
-        return self._measures[1]
-
-    def within_edge_length(self, limit: float, *, threads: int = 0) -> NDArray[np.bool_]:
-        """Which of `simplices` have no edge longer than the limit, exactly: `simplices[within_edge_length(0.1)]`.
-
-        An edge as long as the limit is not longer. Edges are measured in the plane, by x and y.
-        """
-        limit = length_of("limit", limit)
-        chosen = settings(threads, "triangles", "error", "cpu", None, False)
-        with unchanged():
-            found = run(chosen, _core.cells_within_edge_length, self._sites, self._triangles, limit)
-        within: NDArray[np.bool_] = found.view(np.bool_)
-        return within
-
-    @cached_property
-    def convex_hull(self) -> Ids:
-        """The border's edges as rows of ids, counter-clockwise each; in the order of their triangles."""
-        if self.dimension < 2:
-            return frozen(np.empty((0, 2), np.int64))
-        rows, across = np.nonzero(self.neighbors < 0)
-        cells = self.simplices
-        return frozen(np.column_stack([cells[rows, (across + 1) % 3], cells[rows, (across + 2) % 3]]))
-
-    @cached_property
-    def boundary(self) -> Polygons:
-        """The border of `simplices` as rings of ids: counter-clockwise around cells, clockwise around holes.
-
-        No ring has a point twice. Each starts at its lowest id. Below dimension 2 there is none.
-        """
-        return Polygons(*_core.cell_boundary(self._triangles, QUIET))
-
     @cached_property
     def alphas(self) -> Floats:
         """For each of `simplices` the least alpha, as a double, for which alpha_complex() has it; exactly.
@@ -157,62 +118,9 @@ class RegularTriangulation(Cells):
             complex is the nerve of their union.
         """
         chosen = settings(threads, "triangles", "error", "cpu", progress, False)
-        cells = self._triangles
         with unchanged():
-            found = run(chosen, _core.alpha_complex, self.points, self.weights, cells, alpha_of(alpha))
-        return AlphaComplex._made(cells, self.simplices, *found)
-
-    @cached_property
-    def vertex_neighbor_vertices(self) -> tuple[Ids, Ids]:
-        """The points that edges link: point i has indices[indptr[i]:indptr[i + 1]], ascending; (indptr, indices)."""
-        links = np.concatenate([self.edges[:, ::-1], self.edges])
-        counts = np.bincount(links[:, 0], minlength=self.npoints)
-        others = links[np.argsort(links[:, 0], kind="stable"), 1]
-        return frozen(np.concatenate([[0], np.cumsum(counts)])), frozen(others)
-
-    @cached_property
-    def vertex_to_simplex(self) -> Ids:
-        """For each point the lowest of the `simplices` that have it; -1 where none has it, as if it is hidden."""
-        found = np.full(self.npoints, -1, np.int64)
-        for corner in self.simplices.T:
-            rows = np.arange(len(corner))[::-1]
-            first = np.full(self.npoints, -1, np.int64)
-            first[corner[::-1]] = rows
-            found = np.where((found < 0) | ((first >= 0) & (first < found)), first, found)
-        return frozen(found)
-
-    def locate(
-        self, points: ArrayLike, *, threads: int = 0, non_finite: NonFinite = "error", progress: Progress = None
-    ) -> Numbers:
-        """The simplex that holds each point, its border included; exactly. Of several, the lowest; -1 outside.
-
-        Parameters
-        ----------
-        points : array of shape (..., 2), or (..., 3): x and y count
-            of any type that regular_triangulation() takes. A tuple of 2 or 3 arrays is an error: it could be points or
-            coordinates.
-
-        Returns
-        -------
-        array of shape (...): rows of `simplices`; of one point, its number
-        """
-        found: Numbers = results_of(self._queries.locate, points, (2, 3), threads, non_finite, progress)
-        return found
-
-    def find_simplex(
-        self,
-        points: ArrayLike,
-        bruteforce: None = None,
-        tol: None = None,
-        *,
-        threads: int = 0,
-        non_finite: NonFinite = "error",
-        progress: Progress = None,
-    ) -> Numbers:
-        """locate(), by scipy's name. It is exact, so bruteforce and tol are a TypeError."""
-        if bruteforce is not None or tol is not None:
-            raise TypeError("find_simplex() takes no bruteforce and no tol: it is exact, and needs no tolerance")
-        return self.locate(points, threads=threads, non_finite=non_finite, progress=progress)
+            found = run(chosen, _core.alpha_complex, self.points, self.weights, self._triangles, alpha_of(alpha))
+        return AlphaComplex._made(self, *found)
 
     def nearest(
         self, points: ArrayLike, *, threads: int = 0, non_finite: NonFinite = "error", progress: Progress = None
@@ -223,55 +131,6 @@ class RegularTriangulation(Cells):
         """
         found: Numbers = results_of(self._queries.nearest, points, (2, 3), threads, non_finite, progress)
         return found
-
-    def interpolate(
-        self,
-        values: ArrayLike,
-        points: ArrayLike,
-        method: Method = "linear",
-        *,
-        fill_value: float = np.nan,
-        threads: int = 0,
-        non_finite: NonFinite = "error",
-        progress: Progress = None,
-    ) -> Lengths:
-        """Values between the points' values.
-
-        Which points count is decided exactly; their shares are rounded.
-
-        Parameters
-        ----------
-        values : array of shape (n, ...)
-            a number, or an array of numbers, for each of the triangulated points; those of hidden points are not used.
-            A masked one is NaN.
-        points : array of shape (..., 2)
-            as for locate()
-        method : {"linear", "natural", "clough-tocher", "laplace"}
-            linear over each of `simplices`; by natural neighbours (Sibson): each site counts by the area that the
-            point's own power cell would take from the site's; or by a surface of cubic pieces, whose gradients at
-            points are estimated from those around: smooth, and exact for quadratic functions up to rounding. Its error
-            is the least where values are smooth; where they jump, it swings beyond them. With weights, the point's
-            weight in "natural" is linear over its triangle, so values still pass through the sites'. "laplace" has the
-            same neighbours as "natural", each by the side that its cell and the point's have in common, over its
-            distance.
-        fill_value : float
-            what there is where locate() is -1: by default NaN
-
-        Returns
-        -------
-        array of the shapes of points and of values, less their last and first axes; of one point and numbers, a number
-        """
-        query = interpolation_of(self._queries, choice_of("method", method, METHODS))
-        given = values_of(values, self.npoints)
-        rows = given.reshape(self.npoints, int(np.prod(given.shape[1:])))
-        filled = float_of("fill_value", fill_value)
-        if filled == filled or rows.shape[1] == 0:
-            rows = with_ones(rows)
-        found = results_of(query, points, (2, 3), threads, non_finite, progress, np.ascontiguousarray(rows))
-        if rows.shape[1] > np.prod(given.shape[1:]):
-            found = np.where(np.isnan(found[..., -1:]), filled, found[..., :-1])
-        shaped: Lengths = found.reshape(found.shape[:-1] + given.shape[1:])[()]
-        return shaped
 
     def natural_neighbours(
         self,
@@ -299,50 +158,6 @@ class RegularTriangulation(Cells):
         chosen = settings(threads, "triangles", non_finite, "cpu", progress, left_out)
         found = run(chosen, self._queries.shares, name, array)
         return found[0], found[1], found[2]
-
-    def to_image(
-        self,
-        values: ArrayLike,
-        *,
-        spacing: ArrayLike | None = None,
-        shape: tuple[int, int] | None = None,
-        bounds: ArrayLike | None = None,
-        method: Method = "linear",
-        fill_value: float = np.nan,
-        dtype: DTypeLike | None = None,
-        threads: int = 0,
-        progress: Progress = None,
-    ) -> Image:
-        """An image (raster) of values between the points' values, north up, and where it is: an Image.
-
-        The values are those of interpolate() at the pixels' centers, bit for bit, sooner. Give spacing or shape.
-
-        Parameters
-        ----------
-        values : array of shape (n, ...)
-            as for interpolate()
-        spacing : number, or two
-            the width and height of a pixel. Pixels begin at the left and at the top; as many as cover the bounds, but
-            for a millionth of a pixel, as rounding leaves it.
-        shape : two integers
-            rows and columns, which divide the bounds
-        bounds : 4 numbers, or 2 by 2
-            the outer corners of the corner pixels, in VTK's order (x0, x1, y0, y1), or ((x0, y0), (x1, y1)); by default
-            the box of the points that appear. Of shapely's order, as power_diagram(bounds=) takes it, pass
-            numpy.reshape(bounds, (2, 2)).
-        method, fill_value
-            as for interpolate()
-        dtype : float32 or float64
-            of the array; by default float32 if values are of it, else float64
-        threads, progress
-            see the module
-        """
-        name = choice_of("method", method, METHODS)
-        sites = np.asarray(self.points, float)[self.vertices, :2]
-        grid = grid_of(sites, spacing, shape, bounds)
-        chosen = settings(threads, "triangles", "error", "cpu", progress, False)
-        query = partial(run, chosen, self._queries.image, name)
-        return image_of(query, values, self.npoints, grid, float_of("fill_value", fill_value), dtype)
 
     def power_diagram(
         self,
@@ -384,19 +199,15 @@ class RegularTriangulation(Cells):
             f"cells, {len(self.hidden)} hidden>"
         )
 
-    @property
-    def _sites(self) -> NDArray[Any]:
-        """The points, as the engine was given them."""
-        return self.points
-
     @cached_property
     def _queries(self) -> Any:
         with unchanged():
             return _core.triangulation_queries(self.points, self.weights, self._triangles, QUIET)
 
-    @cached_property
-    def _measures(self) -> tuple[Floats, Floats]:
-        return _core.triangle_measures(self._sites, self._triangles)
+    def _queries_of(self, cells: Any) -> Any:
+        # Edges that are fixed need not be Delaunay: so those of weighted points are.
+        edges = np.empty((0, 2), np.int64) if self.weights is None else np.searchsorted(self.vertices, self.edges)
+        return queries_of_some(self.points, fixed(self._triangles.__getstate__(), edges), cells, QUIET)
 
 
 @overload

@@ -44,6 +44,7 @@ from ._lines import JoinedTriangulation, constrained_triangulation
 from ._power_diagram import PowerDiagram
 from ._results import Polygons, Validation
 from ._refine import RefinedMesh, refined_mesh
+from ._selection import CellSelection
 from ._stream import Streamed, stream
 from ._terrain import TerrainMesh, terrain_mesh
 from ._transport import CentroidalCells, PrescribedAreas, centroidal_cells, prescribed_areas
@@ -52,6 +53,7 @@ from ._triangulation import RegularTriangulation, alpha_complex, power_diagram, 
 __all__ = [
     "AbortedError",
     "AlphaComplex",
+    "CellSelection",
     "CentroidalCells",
     "ConstrainedTriangulation",
     "ConvexHull",
