@@ -55,6 +55,7 @@ RESULTS = {
     "diagram": lambda: power_diagram(PLANE, WEIGHTS),
     "diagram of nothing": lambda: power_diagram(PLANE[:0]),
     "alpha complex": lambda: alpha_complex(PLANE, 0.05),
+    "rescaled": lambda: regular_triangulation(PLANE * [1, 100], rescale=True),
     "selection": lambda: selected(regular_triangulation(PLANE, WEIGHTS)),
     "selection of polygons": lambda: selected(RESULTS["polygons"]()),
     "constrained": lambda: regular_triangulation(GRID, constraints=[[0, 35], [1, 17]]),

@@ -19,7 +19,8 @@ import vtkflipflop
 from numpy.typing import NDArray
 from typing import assert_type
 from vtkflipflop.arrays import CentroidalCells, PrescribedAreas, centroidal_cells, prescribed_areas
-from vtkflipflop.arrays import CellSelection, ConvexHull, Diameter, HullBatch, InputError, OrientedBox, Polygons
+from vtkflipflop.arrays import CellSelection, RescaledTriangulation
+from vtkflipflop.arrays import ConvexHull, Diameter, HullBatch, InputError, OrientedBox, Polygons
 from vtkflipflop.arrays import Validation, convex_hull, convex_hulls, convexify, power_diagram, regular_triangulation
 from vtkflipflop.arrays import PowerDiagram, RegularTriangulation, AlphaComplex, ConstrainedTriangulation, TerrainMesh
 from vtkflipflop.arrays import alpha_complex, refined_mesh, terrain_mesh, validate
@@ -58,6 +59,7 @@ assert_type(regular_triangulations([np.zeros((4, 2))], weights=[np.zeros(4)]), T
 assert_type(hull.edges, NDArray[np.int64])
 triangulation = regular_triangulation(np.zeros((4, 2)), np.zeros(4))
 assert_type(triangulation, RegularTriangulation)
+assert_type(regular_triangulation(np.zeros((4, 2)), rescale=True), RescaledTriangulation)
 assert_type(triangulation.hidden, NDArray[np.int64])
 assert_type(triangulation.power_diagram(), PowerDiagram)
 assert_type(triangulation.locate([0, 0]), np.int64 | NDArray[np.int64])

@@ -39,8 +39,9 @@ def test_arguments_have_the_names_of_the_array_layer(function):
     common = [name for name in there if name in here]
     missing = set(there) - set(here)
     # Lines and polygons come in one mesh; a surface has its triangles. Meshes to refine may have cells of few points.
-    refined = {"degenerate"} if function is refined_mesh else set()
-    assert missing <= {"points", "polygons", "triangles", "constraints", "lines", "holes", *refined}
+    # Meshes have one unit.
+    lacking = {refined_mesh: {"degenerate"}, regular_triangulation: {"rescale"}}.get(function, set())
+    assert missing <= {"points", "polygons", "triangles", "constraints", "lines", "holes", *lacking}
     assert "threads" in common and "progress" in common
     for name in common:
         assert here[name].default == there[name].default, name

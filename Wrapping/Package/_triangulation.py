@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._alpha import AlphaComplex, alpha_of
-from ._arguments import choice_of
+from ._arguments import choice_of, flag_of
 from ._constraints import Chains, Constraints, PolygonRule, SplitConstraints
 from ._device import memory_of
 from ._domain import domain_of_call
@@ -22,6 +22,7 @@ from ._input import points_and_weights_of, points_of
 from ._plane_cells import PlaneCells
 from ._power_diagram import PowerDiagram
 from ._queries import Numbers, changed, results_of, unchanged
+from ._rescaled import RescaledTriangulation, scale_of, scaled_by
 from ._results import (
     QUIET,
     Engine,
@@ -213,12 +214,31 @@ class RegularTriangulation(PlaneCells):
 @overload
 def regular_triangulation(
     points: ArrayLike,
+    weights: None = ...,
+    *,
+    constraints: None = ...,
+    polygons: None = ...,
+    polygon_rule: PolygonRule = ...,
+    degenerate: Degenerate = ...,
+    rescale: Literal[True],
+    facets: Facets = ...,
+    threads: int = ...,
+    non_finite: NonFinite = ...,
+    engine: Engine = ...,
+    progress: Progress = ...,
+) -> RescaledTriangulation: ...
+
+
+@overload
+def regular_triangulation(
+    points: ArrayLike,
     weights: ArrayLike | None = ...,
     *,
     constraints: None = ...,
     polygons: None = ...,
     polygon_rule: PolygonRule = ...,
     degenerate: Degenerate = ...,
+    rescale: Literal[False] = ...,
     facets: Facets = ...,
     threads: int = ...,
     non_finite: NonFinite = ...,
@@ -236,6 +256,7 @@ def regular_triangulation(
     polygons: Chains | None = ...,
     polygon_rule: PolygonRule = ...,
     degenerate: Degenerate = ...,
+    rescale: Literal[False] = ...,
     facets: Facets = ...,
     threads: int = ...,
     non_finite: NonFinite = ...,
@@ -253,6 +274,7 @@ def regular_triangulation(
     polygons: Chains,
     polygon_rule: PolygonRule = ...,
     degenerate: Degenerate = ...,
+    rescale: Literal[False] = ...,
     facets: Facets = ...,
     threads: int = ...,
     non_finite: NonFinite = ...,
@@ -269,12 +291,13 @@ def regular_triangulation(
     polygons: Chains | None = None,
     polygon_rule: PolygonRule = "even-odd",
     degenerate: Degenerate = "error",
+    rescale: bool = False,
     facets: Facets = "triangles",
     threads: int = 0,
     non_finite: NonFinite = "error",
     engine: Engine = "automatic",
     progress: Progress = None,
-) -> RegularTriangulation:
+) -> RegularTriangulation | RescaledTriangulation:
     """The exact regular (weighted Delaunay) triangulation of points in the plane; or the constrained one.
 
     Parameters
@@ -297,6 +320,10 @@ def regular_triangulation(
     degenerate : {"error", "ignore"}
         what polylines of fewer than two ids and rings of fewer than three lead to: an error, or that they are left out
         and counted, as if they were not given
+    rescale : bool
+        whether x and y have different units, as days and metres: the one of the smaller range is scaled up, by a power
+        of two, so without rounding. The result is a RescaledTriangulation, in the caller's unit. There are no weights
+        and no constraints then.
     facets : {"triangles", "polygons"}
         which form of the facets is made at once; the other is made when it is first used
     threads, non_finite, engine, progress
@@ -308,6 +335,10 @@ def regular_triangulation(
         names the first point at fault and how many there are
     """
     ignore = ignores(non_finite)
+    if flag_of("rescale", rescale):
+        if weights is not None or constraints is not None or polygons is not None:
+            raise InputError("rescale=True is for points without weights and constraints", "bad_argument")
+        return _rescaled(points, facets, threads, non_finite, engine, progress)
     if constraints is not None or polygons is not None:
         if weights is not None:
             raise InputError("constraints take no weights: leave one of them out", "bad_argument")
@@ -326,6 +357,22 @@ def regular_triangulation(
     chosen[0].points_memory, chosen[0].weights_memory = memory_of(array), memory_of(weight_array)
     core = run(chosen, _core.regular_triangulation, array, weight_array)
     return RegularTriangulation._of(points=array, weights=weight_array, _core=core, _ignores=left_out)
+
+
+def _rescaled(
+    points: ArrayLike, facets: Facets, threads: int, non_finite: NonFinite, engine: Engine, progress: Progress
+) -> RescaledTriangulation:
+    array, left_out = points_of(points, ignores(non_finite))
+    scale = scale_of(array)
+    scaled = regular_triangulation(
+        scaled_by(scale, array),
+        facets=facets,
+        threads=threads,
+        non_finite="ignore" if left_out else non_finite,
+        engine=engine,
+        progress=progress,
+    )
+    return RescaledTriangulation._of(points=array, scale=scale, scaled=scaled, _core=scaled._core, _ignores=left_out)
 
 
 def alpha_complex(

@@ -42,6 +42,7 @@ from ._image import Image
 from ._las import LasPoints, read_las
 from ._lines import JoinedTriangulation, constrained_triangulation
 from ._power_diagram import PowerDiagram
+from ._rescaled import RescaledTriangulation
 from ._results import Polygons, Validation
 from ._refine import RefinedMesh, refined_mesh
 from ._selection import CellSelection
@@ -74,6 +75,7 @@ __all__ = [
     "PrescribedAreas",
     "RefinedMesh",
     "RegularTriangulation",
+    "RescaledTriangulation",
     "Side",
     "SplitConstraints",
     "Streamed",
