@@ -303,7 +303,7 @@ def regular_triangulation(
     Parameters
     ----------
     points : n by 2, or n by 3
-        x and y count
+        x and y count, in a plane: longitudes and latitudes are to be projected first, as pyproj does
     weights : n numbers, optional
         squared lengths: the power distance of x from a point p is |x - p|^2 - w. By default none: Delaunay.
     constraints : m by 2 ids, or a sequence of polylines, optional
