@@ -25,6 +25,7 @@ from vtkflipflop.arrays import (
     regular_triangulations,
     split_crossings,
     terrain_mesh,
+    voronoi_diagram,
 )
 
 RANDOM = np.random.default_rng(12)
@@ -54,6 +55,8 @@ RESULTS = {
     "triangulation of nothing": lambda: regular_triangulation(PLANE[:0]),
     "diagram": lambda: power_diagram(PLANE, WEIGHTS),
     "diagram of nothing": lambda: power_diagram(PLANE[:0]),
+    "unbounded diagram": lambda: voronoi_diagram(PLANE, WEIGHTS),
+    "rays": lambda: voronoi_diagram(PLANE).rays,
     "alpha complex": lambda: alpha_complex(PLANE, 0.05),
     "rescaled": lambda: regular_triangulation(PLANE * [1, 100], rescale=True),
     "selection": lambda: selected(regular_triangulation(PLANE, WEIGHTS)),

@@ -23,7 +23,7 @@ from vtkflipflop.arrays import CellSelection, RescaledTriangulation
 from vtkflipflop.arrays import ConvexHull, Diameter, HullBatch, InputError, OrientedBox, Polygons
 from vtkflipflop.arrays import Validation, convex_hull, convex_hulls, convexify, power_diagram, regular_triangulation
 from vtkflipflop.arrays import PowerDiagram, RegularTriangulation, AlphaComplex, ConstrainedTriangulation, TerrainMesh
-from vtkflipflop.arrays import alpha_complex, refined_mesh, terrain_mesh, validate
+from vtkflipflop.arrays import alpha_complex, refined_mesh, terrain_mesh, validate, voronoi_diagram
 from pathlib import Path
 from vtkflipflop.arrays import Streamed, TriangulationBatch, regular_triangulations, constrained_triangulation, stream
 
@@ -67,6 +67,8 @@ assert_type(triangulation.find_simplex([0, 0]), np.int64 | NDArray[np.int64])
 assert_type(triangulation.nearest([0, 0]), np.int64 | NDArray[np.int64])
 assert_type(triangulation.interpolate([1, 2], [0, 0], "natural"), np.float64 | NDArray[np.float64])
 assert_type(power_diagram([[0.0, 1]]).regions, list[NDArray[np.int64]])
+assert_type(voronoi_diagram([[0.0, 1]]).cells, Polygons)
+assert_type(triangulation.voronoi_diagram().rays.directions, NDArray[np.float64])
 constrained = regular_triangulation(np.zeros((4, 2)), constraints=[[0, 1], [1, 2, 3]], threads=1)
 assert_type(constrained, ConstrainedTriangulation)
 assert_type(constrained.fixed_edges, NDArray[np.int64])

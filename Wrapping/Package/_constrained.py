@@ -104,6 +104,12 @@ class ConstrainedTriangulation(RegularTriangulation):
         """A TypeError: constrained triangulations have no power diagram."""
         raise TypeError("a constrained triangulation has no power diagram: take that of the points without constraints")
 
+    def voronoi_diagram(self) -> NoReturn:
+        """A TypeError: constrained triangulations have no Voronoi diagram."""
+        raise TypeError(
+            "a constrained triangulation has no Voronoi diagram: take that of the points without constraints"
+        )
+
     def nearest(
         self, points: ArrayLike, *, threads: int = 0, non_finite: NonFinite = "error", progress: Progress = None
     ) -> NoReturn:

@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._hull import convex_hull
 from ._input import doubles_of
-from ._voronoi import add_rounds, first_indices
+from ._results import Polygons
+from ._rings import lists_of, polygons_around, sides_of
 
 Rows = NDArray[np.float64]
 
@@ -81,7 +82,8 @@ class SphericalVoronoi:
             raise ValueError("Duplicate generators present.")
         self._simplices = hull.simplices.astype(np.int64)
         self.vertices: Rows = self.radius * hull.equations[:, :3] + self.center
-        self.regions = _regions_of(self._simplices, hull.neighbors, len(directions))
+        triangles = Polygons(np.arange(0, self._simplices.size + 1, 3), self._simplices.ravel())
+        self.regions = lists_of(polygons_around(sides_of(triangles), len(directions))[0])
 
     def sort_vertices_of_regions(self) -> None:
         """They are in order."""
@@ -106,14 +108,3 @@ def _least_distance(points: Rows, edges: Any) -> float:
     """Of neighbours, among which the nearest of all are."""
     return float(np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1).min())
 
-
-def _regions_of(simplices: Any, neighbors: Any, count: int) -> list[list[int]]:
-    """The facets around each point."""
-    rows, corners = np.divmod(np.arange(simplices.size), 3)
-    # From a corner on to the same one of the facet across the edge that ends at it.
-    across = neighbors[rows, (corners + 1) % 3]
-    turned = (simplices[across] == simplices[rows, corners][:, None]).argmax(axis=1)
-    onward = 3 * across + turned
-    regions: list[list[int]] = [[] for _ in range(count)]
-    add_rounds(regions, first_indices(simplices.ravel(), count), onward, rows)
-    return regions

@@ -42,6 +42,7 @@ from ._selection import fixed, queries_of_some
 
 if TYPE_CHECKING:
     from ._constrained import ConstrainedTriangulation
+    from ._voronoi import VoronoiDiagram
 
 
 class RegularTriangulation(PlaneCells):
@@ -72,21 +73,9 @@ class RegularTriangulation(PlaneCells):
     @cached_property
     def polygons(self) -> Polygons:
         """Facets as ids: all points of one power circle are one polygon."""
-        core = self._core
-        if core.cell_size == 3:
-            # As triangles: the visible points have the same triangulation, with its facets.
-            ids = core.vertices()
-            weights = None if self.weights is None else self.weights[ids]
-            with unchanged():
-                core = _core.regular_triangulation(
-                    self.points[ids], weights, _core.Settings(0, True, False, 1, None)
-                )
-            if not np.array_equal(ids[core.triangles().corners()], self._triangles.corners()):
-                raise changed()
-            corners = ids[core.corners()]
-            corners.flags.writeable = False
-            return Polygons(core.offsets(), corners)
-        return Polygons(core.offsets(), core.corners())
+        core, _, _, ids = self._facets
+        corners = core.corners()
+        return Polygons(core.offsets(), corners if ids is None else frozen(ids[corners]))
 
     @cached_property
     def certificate(self) -> Ids:
@@ -189,6 +178,12 @@ class RegularTriangulation(PlaneCells):
             core = run(chosen, _core.power_diagram, self.points, self.weights, self._core, within.array)
         return PowerDiagram._of(_core=core)
 
+    def voronoi_diagram(self) -> VoronoiDiagram:
+        """The unbounded Voronoi diagram of the points that appear; with weights, the power diagram."""
+        from ._voronoi import VoronoiDiagram  # which needs this module
+
+        return VoronoiDiagram._of(triangulation=self)
+
     def validate(self, *, threads: int = 0) -> Validation:
         """Decides exactly whether this is the regular triangulation of the points."""
         fault, text, index = _core.validate_triangulation(self.points, self.weights, self._core, threads)
@@ -199,6 +194,20 @@ class RegularTriangulation(PlaneCells):
             f"<RegularTriangulation of {self.npoints} points: dimension {self.dimension}, {self._core.cell_count} "
             f"cells, {len(self.hidden)} hidden>"
         )
+
+    @cached_property
+    def _facets(self) -> tuple[Any, NDArray[Any], NDArray[Any] | None, Ids | None]:
+        """The engine's polygons, the points and weights that these are of, and whose ids those are; None: their own."""
+        if self._core.cell_size != 3:
+            return self._core, self.points, self.weights, None
+        # As triangles: the visible points have the same triangulation, with its facets.
+        ids = self._core.vertices()
+        points, weights = self.points[ids], None if self.weights is None else self.weights[ids]
+        with unchanged():
+            core = _core.regular_triangulation(points, weights, _core.Settings(0, True, False, 1, None))
+        if not np.array_equal(ids[core.triangles().corners()], self._triangles.corners()):
+            raise changed()
+        return core, points, weights, ids
 
     @cached_property
     def _queries(self) -> Any:

@@ -50,6 +50,7 @@ from ._stream import Streamed, stream
 from ._terrain import TerrainMesh, terrain_mesh
 from ._transport import CentroidalCells, PrescribedAreas, centroidal_cells, prescribed_areas
 from ._triangulation import RegularTriangulation, alpha_complex, power_diagram, regular_triangulation
+from ._voronoi import VoronoiDiagram, voronoi_diagram
 
 __all__ = [
     "AbortedError",
@@ -82,6 +83,7 @@ __all__ = [
     "TerrainMesh",
     "TriangulationBatch",
     "Validation",
+    "VoronoiDiagram",
     "alpha_complex",
     "centroidal_cells",
     "constrained_triangulation",
@@ -99,6 +101,7 @@ __all__ = [
     "stream",
     "terrain_mesh",
     "validate",
+    "voronoi_diagram",
 ]
 
 

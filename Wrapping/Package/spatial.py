@@ -25,17 +25,17 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _core
 from ._edit import EditableTriangulation
 from ._hull import convex_hull
 from ._input import is_array_like
 from ._interpolators import CloughTocher2DInterpolator, LinearNDInterpolator, NearestNDInterpolator, griddata
 from ._qhull import QhullError, say_unused
-from ._results import QUIET, Facets
+from ._results import Facets
+from ._rings import lists_of
 from ._spatial_half_spaces import HalfspaceIntersection
 from ._sphere import SphericalVoronoi
 from ._triangulation import RegularTriangulation, regular_triangulation
-from ._voronoi import add_rounds, first_indices
+from ._voronoi import VoronoiDiagram
 
 __all__ = [
     "CloughTocher2DInterpolator",
@@ -390,70 +390,38 @@ class Voronoi(_OfPlane):
 
     @cached_property
     def vertices(self) -> Rows:
-        return _core.facet_centers(self.points, None, self._found._core, QUIET).copy()
+        return self._diagram.vertices.copy()
 
-    @property
+    @cached_property
     def ridge_points(self) -> Ints:
-        return self._ridges[0]
+        return self._diagram.ridge_points.astype(np.int32)
 
-    @property
+    @cached_property
     def ridge_vertices(self) -> list[list[int]]:
-        return self._ridges[1]
+        found: list[list[int]] = self._diagram.ridge_vertices.tolist()
+        return found
 
     @cached_property
     def ridge_dict(self) -> dict[tuple[int, int], list[int]]:
         return dict(zip(map(tuple, self.ridge_points.tolist()), self.ridge_vertices))
 
-    @property
+    @cached_property
     def regions(self) -> list[list[int]]:
-        return self._cells[0]
+        opened = zip(lists_of(self._diagram.cells), self._diagram.is_open.tolist())
+        return [[] for _ in range(self._extra)] + [[-1] * is_open + region for region, is_open in opened]
+
+    @cached_property
+    def point_region(self) -> Ints:
+        return (self._diagram.cell_of + self._extra).astype(np.int32)
 
     @property
-    def point_region(self) -> Ints:
-        return self._cells[1]
+    def _extra(self) -> int:
+        """How many regions are none."""
+        return int("Qz" in (self._options or "Qz"))
 
     @cached_property
-    def _edges(self) -> tuple[Any, Any, Any, Any]:
-        """Of each edge of each facet the ends, counter-clockwise, the facet, and the number of the same edge in the
-        other direction; -1: none."""
-        polygons = self._found.polygons
-        facet = np.repeat(np.arange(len(polygons)), np.diff(polygons.offsets))
-        tails, heads = polygons.connectivity, np.roll(polygons.connectivity, -1)
-        heads[polygons.offsets[1:] - 1] = tails[polygons.offsets[:-1]]
-        keys, back = tails * self.npoints + heads, heads * self.npoints + tails
-        order = np.argsort(keys)
-        at = np.minimum(np.searchsorted(keys, back, sorter=order), len(keys) - 1)
-        twins = np.where(keys[order[at]] == back, order[at], -1)
-        return tails, heads, facet, twins
-
-    @cached_property
-    def _ridges(self) -> tuple[Ints, list[list[int]]]:
-        tails, heads, facet, twins = self._edges
-        chosen = np.flatnonzero((twins < 0) | (tails < heads))
-        points = np.sort(np.column_stack([tails[chosen], heads[chosen]]), axis=1)
-        ends = np.column_stack([np.where(twins[chosen] < 0, -1, facet[twins[chosen]]), facet[chosen]])
-        return points.astype(np.int32), ends.tolist()
-
-    @cached_property
-    def _cells(self) -> tuple[list[list[int]], Ints]:
-        """The regions, and that of each point."""
-        tails, _, facet, twins = self._edges
-        offsets = self._found.polygons.offsets
-        before = np.arange(len(tails)) - 1
-        before[offsets[:-1]] = offsets[1:] - 1
-        onward = twins[before]  # the next edge from the same point, counter-clockwise
-        sites = self._found.vertices
-        first = first_indices(tails, self.npoints)
-        first[tails[twins < 0]] = np.flatnonzero(twins < 0)  # open cells begin at the border
-        extra = int("Qz" in (self._options or "Qz"))
-        regions = [[-1] if is_open else [] for is_open in (twins[first[sites]] < 0).tolist()]
-        add_rounds(regions, first[sites], onward, facet)
-        numbers = np.full(self.npoints, -1)
-        numbers[sites] = extra + np.arange(len(sites))
-        hidden = self._found.hidden
-        if len(hidden):
-            numbers[hidden] = numbers[np.asarray(self._found.nearest(self.points[hidden]))]
-        return [[] for _ in range(extra)] + regions, numbers.astype(np.int32)
+    def _diagram(self) -> VoronoiDiagram:
+        return self._found.voronoi_diagram()
 
 
 def tsearch(tri: Delaunay, xi: ArrayLike) -> Ints:
