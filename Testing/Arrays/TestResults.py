@@ -23,6 +23,7 @@ from vtkflipflop.arrays import (
     refined_mesh,
     regular_triangulation,
     regular_triangulations,
+    spherical_voronoi,
     split_crossings,
     terrain_mesh,
     voronoi_diagram,
@@ -30,6 +31,7 @@ from vtkflipflop.arrays import (
 
 RANDOM = np.random.default_rng(12)
 SPACE, PLANE = RANDOM.random((200, 3)), RANDOM.random((200, 2))
+SPHERE = (SPACE - 0.5) / np.linalg.norm(SPACE - 0.5, axis=1)[:, None]
 WEIGHTS = RANDOM.random(200) * 0.01
 CUBE = np.array([[x, y, z] for x in (0, 2) for y in (0, 2) for z in (0, 2)], float)
 GRID = np.stack(np.meshgrid(np.arange(6), np.arange(6), indexing="ij"), -1).reshape(-1, 2)
@@ -57,6 +59,8 @@ RESULTS = {
     "diagram of nothing": lambda: power_diagram(PLANE[:0]),
     "unbounded diagram": lambda: voronoi_diagram(PLANE, WEIGHTS),
     "rays": lambda: voronoi_diagram(PLANE).rays,
+    "sphere": lambda: spherical_voronoi(SPHERE).triangulation,
+    "spherical diagram": lambda: spherical_voronoi(SPHERE),
     "alpha complex": lambda: alpha_complex(PLANE, 0.05),
     "rescaled": lambda: regular_triangulation(PLANE * [1, 100], rescale=True),
     "selection": lambda: selected(regular_triangulation(PLANE, WEIGHTS)),

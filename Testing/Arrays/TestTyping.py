@@ -24,6 +24,7 @@ from vtkflipflop.arrays import ConvexHull, Diameter, HullBatch, InputError, Orie
 from vtkflipflop.arrays import Validation, convex_hull, convex_hulls, convexify, power_diagram, regular_triangulation
 from vtkflipflop.arrays import PowerDiagram, RegularTriangulation, AlphaComplex, ConstrainedTriangulation, TerrainMesh
 from vtkflipflop.arrays import alpha_complex, refined_mesh, terrain_mesh, validate, voronoi_diagram
+from vtkflipflop.arrays import directions_of, spherical_triangulation, spherical_voronoi
 from pathlib import Path
 from vtkflipflop.arrays import Streamed, TriangulationBatch, regular_triangulations, constrained_triangulation, stream
 
@@ -68,6 +69,8 @@ assert_type(triangulation.nearest([0, 0]), np.int64 | NDArray[np.int64])
 assert_type(triangulation.interpolate([1, 2], [0, 0], "natural"), np.float64 | NDArray[np.float64])
 assert_type(power_diagram([[0.0, 1]]).regions, list[NDArray[np.int64]])
 assert_type(voronoi_diagram([[0.0, 1]]).cells, Polygons)
+assert_type(spherical_voronoi([[0.0, 0]], lonlat=True).areas, NDArray[np.float64])
+assert_type(spherical_triangulation(directions_of([0.0, 9], 0)).simplices, NDArray[np.int64])
 assert_type(triangulation.voronoi_diagram().rays.directions, NDArray[np.float64])
 constrained = regular_triangulation(np.zeros((4, 2)), constraints=[[0, 1], [1, 2, 3]], threads=1)
 assert_type(constrained, ConstrainedTriangulation)

@@ -34,6 +34,7 @@ from ._alpha import AlphaComplex
 from ._batch import HullBatch, TriangulationBatch, convex_hulls, regular_triangulations
 from ._constrained import ConstrainedTriangulation
 from ._constraints import SplitConstraints, split_crossings
+from ._directions import directions_of, lonlat_of
 from ._edit import EditableTriangulation
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
 from ._half_spaces import HalfSpaceIntersection, half_space_intersection
@@ -46,6 +47,7 @@ from ._rescaled import RescaledTriangulation
 from ._results import Polygons, Validation
 from ._refine import RefinedMesh, refined_mesh
 from ._selection import CellSelection
+from ._spherical import SphericalDiagram, SphericalTriangulation, spherical_triangulation, spherical_voronoi
 from ._stream import Streamed, stream
 from ._terrain import TerrainMesh, terrain_mesh
 from ._transport import CentroidalCells, PrescribedAreas, centroidal_cells, prescribed_areas
@@ -78,6 +80,8 @@ __all__ = [
     "RegularTriangulation",
     "RescaledTriangulation",
     "Side",
+    "SphericalDiagram",
+    "SphericalTriangulation",
     "SplitConstraints",
     "Streamed",
     "TerrainMesh",
@@ -90,13 +94,17 @@ __all__ = [
     "convex_hull",
     "convex_hulls",
     "convexify",
+    "directions_of",
     "half_space_intersection",
+    "lonlat_of",
     "power_diagram",
     "prescribed_areas",
     "read_las",
     "refined_mesh",
     "regular_triangulation",
     "regular_triangulations",
+    "spherical_triangulation",
+    "spherical_voronoi",
     "split_crossings",
     "stream",
     "terrain_mesh",
