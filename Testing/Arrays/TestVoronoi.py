@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkflipflop.arrays.voronoi_diagram: sides, rays, vertices and cells are those of rationals, and of a large box."""
+"""Diagrams of vtkflipflop.arrays, unbounded and cut: sides, rays, vertices and cells are those of rationals."""
 
 import itertools
 import os
@@ -44,7 +44,7 @@ class Exact:
         self.points = [tuple(map(Fraction, row)) for row in points.tolist()]
         self.weights = [Fraction(0)] * len(points) if weights is None else [Fraction(w) for w in weights.tolist()]
         self.sites = sites
-        self.ridges, self.rays = {}, {}
+        self.lines, self.ridges, self.rays = {}, {}, {}
         for pair in itertools.combinations(sites, 2):
             self.add(*pair)
 
@@ -69,6 +69,7 @@ class Exact:
                 high = least / slope if high is None else min(high, least / slope)
         if low is not None and high is not None and low >= high:
             return
+        self.lines[i, j] = foot, step, low, high
         ends = [None if t is None else (foot[0] + t * step[0], foot[1] + t * step[1]) for t in (low, high)]
         self.ridges[i, j] = ends
         start = next((end for end in ends if end is not None), foot)
@@ -77,6 +78,18 @@ class Exact:
 
     def power(self, x, k):
         return (x[0] - self.points[k][0]) ** 2 + (x[1] - self.points[k][1]) ** 2 - self.weights[k]
+
+
+def cut_at(box, foot, step, low, high):
+    """The ends of the part of a line, foot + t * step for t from low to high, within a box; None: nothing."""
+    for x, d, least, most in zip(foot, step, box[::2], box[1::2]):
+        if d == 0 and not least < x < most:
+            return None
+        if d != 0:
+            one, other = sorted([(least - x) / d, (most - x) / d])
+            low = one if low is None else max(low, one)
+            high = other if high is None else min(high, other)
+    return None if low >= high else [(foot[0] + t * step[0], foot[1] + t * step[1]) for t in (low, high)]
 
 
 class TestDiagrams(unittest.TestCase):
@@ -216,6 +229,74 @@ class TestDiagrams(unittest.TestCase):
         points[:25] = 0
         with self.assertRaisesRegex(InputError, "points have changed"):
             diagram.cells  # noqa: B018
+
+
+class TestCutDiagrams(unittest.TestCase):
+    def test_sides_are_those_of_rationals(self):
+        for seed in range(CASES):
+            points, weights = random_set(seed, [1.0, 2.0**-300])
+            random = np.random.default_rng(seed)
+            scale = 1.0 if points.max(initial=0) >= 0.5 else 2.0**-300
+            x, y = np.sort(random.integers(-8, 48, (2, 2)), axis=1) / 8
+            box = np.array([x[0], x[1] + 1, y[0], y[1] + 1]) * scale
+            with self.subTest(seed=seed):
+                diagram = power_diagram(points, weights, box)
+                exact = Exact(points, weights, regular_triangulation(points, weights).vertices.tolist())
+                wanted = {}
+                for pair, line in exact.lines.items():
+                    ends = cut_at([*map(Fraction, box.tolist())], *line)
+                    if ends:
+                        wanted[pair] = as_floats(ends[1]), as_floats(ends[0])
+                pairs = list(map(tuple, diagram.ridge_points.tolist()))
+                self.assertEqual(pairs, sorted(wanted))
+                for pair, ends in zip(pairs, diagram.vertices[diagram.ridge_vertices]):
+                    self.assertEqual(tuple(map(tuple, ends.tolist())), wanted[pair])
+                self.check_lengths(diagram)
+
+    def check_lengths(self, diagram):
+        """Sides sum to perimeters; they and the border's are all sides, and neighbours those that share one."""
+        perimeters, sides = np.zeros(len(diagram)), {}
+        for row, cell in enumerate(diagram.cells):
+            corners = diagram.vertices[cell]
+            perimeters[row] = np.linalg.norm(corners - np.roll(corners, -1, axis=0), axis=1).sum()
+            for i, j in zip(cell.tolist(), np.roll(cell, -1).tolist()):
+                sides[i, j] = row
+        rows = np.searchsorted(diagram.sites, diagram.ridge_points)
+        own = np.searchsorted(diagram.sites, diagram.border_points)
+        sums = np.bincount(own, diagram.border_lengths, len(diagram))
+        for column in rows.T:
+            sums += np.bincount(column, diagram.ridge_lengths, len(diagram))
+        np.testing.assert_allclose(sums, perimeters)
+        # By a table of all sides.
+        common = {(row, sides[j, i], i, j) for (i, j), row in sides.items() if row < sides.get((j, i), -1)}
+        self.assertEqual(set(zip(*rows.T.tolist(), *diagram.ridge_vertices.T.tolist())), common)
+        border = {(row, i, j) for (i, j), row in sides.items() if (j, i) not in sides}
+        self.assertEqual(set(zip(own.tolist(), *diagram.border_vertices.T.tolist())), border)
+        first, others = diagram.neighbors
+        found = [set(others[begin:end].tolist()) for begin, end in zip(first, first[1:])]
+        wanted = [{a + b - row for a, b, *_ in common if row in (a, b)} for row in range(len(diagram))]
+        self.assertEqual(found, wanted)
+        self.assertEqual(len(others), sum(map(len, wanted)))
+
+    def test_in_a_polygon(self):
+        points, weights = RANDOM.random((400, 2)), RANDOM.random(400) * 0.005
+        for domain in (None, [[0.2, 0.1], [0.9, 0.3], [0.7, 0.8], [0.1, 0.7]]):
+            diagram = power_diagram(points, weights, domain)
+            self.check_lengths(diagram)
+            self.assertTrue((np.diff(diagram.ridge_points[:, 0]) >= 0).all())
+        steps = np.roll(domain, -1, axis=0) - domain
+        self.assertAlmostEqual(diagram.border_lengths.sum(), np.hypot(*steps.T).sum())
+        # Where rounding has bent sides, two cells have several.
+        random = np.random.default_rng(268)
+        angles, radii = random.random(60) * 6.28, random.choice([1, 1, 3.3], 60)
+        around = np.column_stack([np.cos(angles), np.sin(angles)]) * radii[:, None] + random.choice([0, 1.1])
+        self.check_lengths(power_diagram(around, domain=(-5, 5, -5, 5)))
+
+    def test_nothing(self):
+        for points, borders in (([], 0), ([[1, 2]], 4)):
+            diagram = power_diagram(np.reshape(points, (-1, 2)), domain=(0, 1, 0, 1))
+            self.assertEqual((len(diagram.ridge_points), len(diagram.border_points)), (0, borders))
+            self.assertEqual([part.tolist() for part in diagram.neighbors], [[0] * (len(points) + 1), []])
 
 
 if __name__ == "__main__":
