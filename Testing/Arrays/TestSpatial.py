@@ -157,8 +157,6 @@ class TestTriangulations(unittest.TestCase):
         for wrong, error in (([2, 2, 2], ValueError), (1, IndexError)):
             with self.assertRaises(error):
                 whole.find_simplex(wrong)
-        with self.assertRaisesRegex(NotImplementedError, "furthest-site"):
-            spatial.Delaunay(SQUARE, furthest_site=True)
         with self.assertRaisesRegex(NotImplementedError, "points have 2 coordinates here, not 3"):
             spatial.Delaunay(CLOUDS["space"])
 

@@ -29,8 +29,8 @@ namespace
 using Rows = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 using Position = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
-/// The kind, the interior, the half-spaces with a facet, those at each vertex, the cells across
-/// their edges, vertices, dual points, and statistics.
+/// The kind, the interior, the half-spaces with a facet, those at each vertex, vertices, dual
+/// points, and statistics.
 nb::tuple intersect(
   const Rows& rows, const std::optional<Position>& interior, const Settings& settings)
 {
@@ -50,7 +50,6 @@ nb::tuple intersect(
   return nb::make_tuple(static_cast<int>(found.kind), arrayOf(std::move(position)),
     arrayOf(copyOf(found.pointIds)), arrayOf(cellOffsets(found)),
     arrayOf(idsOf(found, found.connectivity)),
-    arrayOf(dimension == 3 ? cellNeighbors(found) : Buffer<std::int64_t>()),
     arrayOf(std::move(found.vertices), { vertices, axes }),
     arrayOf(std::move(found.dualPoints), { points, axes }), dictOf(found.statistics));
 }

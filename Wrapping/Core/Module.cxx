@@ -12,6 +12,7 @@
 #include <flipflop/Batch.h>
 #include <flipflop/Convexify.h>
 #include <flipflop/Engines.h>
+#include <flipflop/FurthestSite.h>
 #include <flipflop/PlaneFit.h>
 #include <flipflop/PowerDiagram.h>
 #include <flipflop/SurfacePolygons.h>
@@ -455,6 +456,13 @@ NB_MODULE(_core, module)
   module.def("convex_hull", &hullOf);
   module.def(
     "regular_triangulation", &triangulationOf, "points"_a, "weights"_a.none(), "settings"_a);
+  module.def("furthest_site_triangulation",
+    [](const InputArray& points, const Settings& settings)
+    {
+      const PointView positions = pointView(points, 2);
+      return handleOf(settings.run(
+        [&](const Options& options) { return furthestSiteTriangulation(positions, options); }));
+    });
   module.def("convexify", &convexified, "points"_a, "triangles"_a, "kernel"_a.none(), "settings"_a);
   module.def("triangulate_polygons", &trianglesOf);
   nb::class_<FittedPlane>(module, "FittedPlane")

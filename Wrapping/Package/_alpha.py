@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._arguments import float_of
-from ._plane_cells import PlaneCells
+from ._plane_cells import LocatedCells
 from ._results import Floats, Frozen, Ids, Polygons
 from ._selection import CellSelection
 
@@ -42,13 +42,13 @@ class AlphaComplex(Frozen):
     edge_alphas: Floats
     vertices: Ids
     vertex_alphas: Floats
-    _of_all: PlaneCells
+    _of_all: LocatedCells
     _call: ClassVar[str] = "alpha_complex(points, alpha)"
 
     @classmethod
     def _made(
         cls,
-        triangulation: PlaneCells,
+        triangulation: LocatedCells,
         within: NDArray[np.uint8],
         edges: Ids,
         edge_alphas: Floats,

@@ -17,7 +17,7 @@ from ._arguments import numbers_of
 from ._errors import InputError
 from ._input import doubles_of
 from ._results import Floats, Frozen, Ids, Polygons, Progress, frozen, named, run, settings
-from ._voronoi import add_rounds, first_indices
+from ._rings import polygons_around, sides_of
 
 Kind = Literal["bounded", "unbounded", "flat", "empty"]
 _KINDS: tuple[Kind, ...] = ("bounded", "unbounded", "flat", "empty")
@@ -56,7 +56,6 @@ class HalfSpaceIntersection(Frozen):
     facets_at_vertices: Polygons
     dual_points: Floats
     statistics: dict[str, float]
-    _neighbors: Ids
     _call: ClassVar[str] = "half_space_intersection(half_spaces)"
 
     @property
@@ -70,25 +69,15 @@ class HalfSpaceIntersection(Frozen):
         if not len(self.facets):
             return Polygons(frozen(np.zeros(1, np.int64)), frozen(np.empty(0, np.int64)))
         corners, offsets = self.facets_at_vertices.connectivity, self.facets_at_vertices.offsets
-        vertex = np.repeat(np.arange(len(self.vertices)), np.diff(offsets))
         row = np.searchsorted(self.facets, corners)
         if self.ndim == 2:
+            vertex = np.repeat(np.arange(len(self.vertices)), 2)
             # Vertex i is where the side of its second half-plane begins.
             ends = np.empty((len(self.facets), 2), np.int64)
             ends[row[1::2], 0], ends[row[0::2], 1] = vertex[1::2], vertex[0::2]
             return Polygons(frozen(2 * np.arange(len(ends) + 1)), frozen(ends.reshape(-1)))
-        # Around a facet: from a corner to that of the same facet in the vertex across its edge before.
-        before = np.arange(len(corners)) - 1
-        before[offsets[:-1]] = offsets[1:] - 1
-        across = self._neighbors[before]
-        keys = vertex * len(self.facets) + row
-        order = np.argsort(keys)
-        onward = order[np.searchsorted(keys, across * len(self.facets) + row, sorter=order)]
-        rounds: list[list[int]] = [[] for _ in self.facets]
-        add_rounds(rounds, first_indices(row, len(self.facets)), onward, vertex)
-        sizes = [len(one) for one in rounds]
-        joined = np.concatenate([np.array(one, np.int64) for one in rounds])
-        return Polygons(frozen(np.concatenate([[0], np.cumsum(sizes)])), frozen(joined))
+        found, _ = polygons_around(sides_of(Polygons(offsets, row)), len(self.facets))
+        return Polygons(frozen(found.offsets), frozen(found.connectivity))
 
     @property
     def volume(self) -> float:
@@ -166,7 +155,7 @@ def half_space_intersection(
     chosen = settings(threads, "polygons", "error", "cpu", progress, False)
     with _half_spaces_named(rows):
         found = run(chosen, _core.half_space_intersection, rows, given)
-    kind, interior, facets, offsets, corners, neighbors, vertices, dual_points, statistics = found
+    kind, interior, facets, offsets, corners, vertices, dual_points, statistics = found
     return HalfSpaceIntersection._of(
         half_spaces=rows,
         kind=_KINDS[kind],
@@ -176,7 +165,6 @@ def half_space_intersection(
         facets_at_vertices=Polygons(offsets, corners),
         dual_points=dual_points,
         statistics=named(statistics),
-        _neighbors=neighbors,
     )
 
 

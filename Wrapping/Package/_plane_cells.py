@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cells over points in the plane: their measures and borders, and queries at positions."""
+"""Cells over points in the plane: their measures and borders; and queries at positions."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from ._selection import CellSelection
 
 
-class PlaneCells(Cells):
-    """Cells over points in the plane, and queries at positions."""
+class PlanarCells(Cells):
+    """Cells over points in the plane."""
 
     @cached_property
     def vertices(self) -> Ids:
@@ -52,21 +52,6 @@ class PlaneCells(Cells):
             found = run(chosen, _core.cells_within_edge_length, self._sites, self._triangles, limit)
         within: NDArray[np.bool_] = found.view(np.bool_)
         return within
-
-    def with_cells(self, within: ArrayLike) -> CellSelection:
-        """Some of `simplices` alone: what only others hold is outside. ids stay.
-
-        For example, `with_cells(within_edge_length(0.1)).interpolate(values, points)` has no value in triangles of
-        longer edges, and `with_cells(alpha_complex(0.1).within)` none beyond the alpha shape.
-
-        Parameters
-        ----------
-        within : array of bool
-            for each of `simplices` whether it stays
-        """
-        from ._selection import CellSelection  # which needs this module
-
-        return CellSelection._with(self, mask_of("within", within, self.nsimplex))
 
     @cached_property
     def convex_hull(self) -> Ids:
@@ -114,6 +99,34 @@ class PlaneCells(Cells):
             first[corner[::-1]] = rows
             found = np.where((found < 0) | ((first >= 0) & (first < found)), first, found)
         return frozen(found)
+
+    @property
+    def _sites(self) -> NDArray[Any]:
+        """The points, as the engine was given them."""
+        return self.points
+
+    @cached_property
+    def _measures(self) -> tuple[Floats, Floats]:
+        return _core.triangle_measures(self._sites, self._triangles)
+
+
+class LocatedCells(PlanarCells):
+    """Such cells with queries at positions."""
+
+    def with_cells(self, within: ArrayLike) -> CellSelection:
+        """Some of `simplices` alone: what only others hold is outside. ids stay.
+
+        For example, `with_cells(within_edge_length(0.1)).interpolate(values, points)` has no value in triangles of
+        longer edges, and `with_cells(alpha_complex(0.1).within)` none beyond the alpha shape.
+
+        Parameters
+        ----------
+        within : array of bool
+            for each of `simplices` whether it stays
+        """
+        from ._selection import CellSelection  # which needs this module
+
+        return CellSelection._with(self, mask_of("within", within, self.nsimplex))
 
     def locate(
         self, points: ArrayLike, *, threads: int = 0, non_finite: NonFinite = "error", progress: Progress = None
@@ -253,11 +266,6 @@ class PlaneCells(Cells):
         query = partial(run, chosen, self._queries.image, method)
         return image_of(query, values, self.npoints, grid, fill, dtype)
 
-    @property
-    def _sites(self) -> NDArray[Any]:
-        """The points, as the engine was given them."""
-        return self.points
-
     @cached_property
     def _queries(self) -> Any:
         """The engine's."""
@@ -266,7 +274,3 @@ class PlaneCells(Cells):
     def _queries_of(self, cells: Any) -> Any:
         """The engine's to some of its triangles, as these are in `_triangles`."""
         raise NotImplementedError
-
-    @cached_property
-    def _measures(self) -> tuple[Floats, Floats]:
-        return _core.triangle_measures(self._sites, self._triangles)

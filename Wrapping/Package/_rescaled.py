@@ -10,14 +10,14 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ._plane_cells import PlaneCells
+from ._plane_cells import LocatedCells
 from ._results import Floats, Ids, frozen
 
 _GREATEST = np.finfo(np.float64).max
 _MOST = 1000  # no scaled point is beyond 2^1000, so no position that would be beyond doubles is one
 
 
-class RescaledTriangulation(PlaneCells):
+class RescaledTriangulation(LocatedCells):
     """The exact Delaunay triangulation of points of which the axis of the smaller range is scaled up.
 
     The factor is a power of two, after which the ranges differ by less than a factor of 2: so scaling does not round,

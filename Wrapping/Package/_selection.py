@@ -13,14 +13,14 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from . import _core
 from ._errors import InputError
 from ._image import Grid, Image, Method
-from ._plane_cells import PlaneCells
+from ._plane_cells import LocatedCells
 from ._queries import Lengths, unchanged
 from ._results import Floats, Ids, NonFinite, Progress, frozen
 
 _OF_WHOLE = ("natural", "laplace")
 
 
-class CellSelection(PlaneCells):
+class CellSelection(LocatedCells):
     """Some of a triangulation's `simplices`, and queries of these alone. Ids stay those of its points.
 
     locate() has rows of these `simplices`; what none of them holds is outside. Where a cell that stays and one that
@@ -36,12 +36,12 @@ class CellSelection(PlaneCells):
         which of its `simplices` these are
     """
 
-    triangulation: PlaneCells
+    triangulation: LocatedCells
     within: NDArray[np.bool_]
     _call: ClassVar[str] = "regular_triangulation(points).with_cells(within)"
 
     @classmethod
-    def _with(cls, whole: PlaneCells, within: NDArray[np.bool_]) -> Self:
+    def _with(cls, whole: LocatedCells, within: NDArray[np.bool_]) -> Self:
         return cls._of(
             points=whole.points,
             triangulation=whole,

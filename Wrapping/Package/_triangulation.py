@@ -19,7 +19,7 @@ from ._domain import domain_of_call
 from ._errors import InputError
 from ._geometries import Degenerate
 from ._input import points_and_weights_of, points_of
-from ._plane_cells import PlaneCells
+from ._plane_cells import LocatedCells
 from ._power_diagram import PowerDiagram
 from ._queries import Numbers, changed, results_of, unchanged
 from ._rescaled import RescaledTriangulation, scale_of, scaled_by
@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from ._voronoi import VoronoiDiagram
 
 
-class RegularTriangulation(PlaneCells):
+class RegularTriangulation(LocatedCells):
     """The exact regular (weighted Delaunay) triangulation of points in the plane.
 
     Ids are rows of the caller's array. A point that does not appear is in `hidden`. The form is the same for any

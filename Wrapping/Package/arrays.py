@@ -37,6 +37,7 @@ from ._constraints import SplitConstraints, split_crossings
 from ._directions import directions_of, lonlat_of
 from ._edit import EditableTriangulation
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
+from ._furthest_site import FurthestSiteTriangulation, furthest_site_triangulation
 from ._half_spaces import HalfSpaceIntersection, half_space_intersection
 from ._hull import ConvexHull, Diameter, OrientedBox, Side, convex_hull, convexify
 from ._image import Image
@@ -65,6 +66,7 @@ __all__ = [
     "Diameter",
     "EditableTriangulation",
     "FlipFlopError",
+    "FurthestSiteTriangulation",
     "HalfSpaceIntersection",
     "HullBatch",
     "Image",
@@ -95,6 +97,7 @@ __all__ = [
     "convex_hulls",
     "convexify",
     "directions_of",
+    "furthest_site_triangulation",
     "half_space_intersection",
     "lonlat_of",
     "power_diagram",

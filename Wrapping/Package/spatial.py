@@ -10,8 +10,8 @@ Arrays belong to the caller: ids are int32, and may be written to. What differs 
 - Every decision is exact, so nothing is joggled or merged; a QhullError means that the points span less, exactly.
 - Hulls are of points in the plane or in space, triangulations and diagrams of points in the plane. Others are a
   NotImplementedError, or scipy's own with fallback=True.
-- qhull_options are accepted, and mean nothing: a warning says so once. "QG" and "QV", furthest_site=True and lower
-  dimensions are scipy's alone.
+- qhull_options are accepted, and mean nothing: a warning says so once. "QG" and "QV", and lower
+  dimensions, are scipy's alone.
 - Points on a facet or at another's position are no vertices.
 """
 
@@ -26,6 +26,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._edit import EditableTriangulation
+from ._furthest_site import FurthestSiteTriangulation, furthest_site_triangulation
 from ._hull import convex_hull
 from ._input import is_array_like
 from ._interpolators import CloughTocher2DInterpolator, LinearNDInterpolator, NearestNDInterpolator, griddata
@@ -215,15 +216,6 @@ class _OfPlane(_Incremental):
     """What is made of a Delaunay triangulation."""
 
     _dimensions = (2,)
-    furthest_site = False
-
-    @classmethod
-    def _why_not(cls, rows: Rows, *arguments: Any, **settings: Any) -> str:
-        furthest = settings.get("furthest_site", arguments[0] if arguments else False)
-        if furthest:
-            return "furthest-site triangulations and diagrams are not here"
-        return super()._why_not(rows, *arguments, **settings)
-
     def __init__(
         self,
         points: ArrayLike,
@@ -233,18 +225,22 @@ class _OfPlane(_Incremental):
         *,
         fallback: bool = False,
     ) -> None:
+        self.furthest_site = bool(furthest_site)
         super().__init__(points, incremental, qhull_options, fallback=fallback)
 
     _facets: Facets = "triangles"
-    _found: RegularTriangulation
+    _found: RegularTriangulation | FurthestSiteTriangulation
 
     def _take(self, rows: Rows) -> None:
-        self._show(rows, regular_triangulation(rows, facets=self._facets))
+        if self.furthest_site:
+            self._show(rows, furthest_site_triangulation(rows))
+        else:
+            self._show(rows, regular_triangulation(rows, facets=self._facets))
 
     def _extend(self, rows: Rows) -> None:
         self._take(np.concatenate([self.points, rows]))
 
-    def _show(self, rows: Rows, found: RegularTriangulation) -> None:
+    def _show(self, rows: Rows, found: RegularTriangulation | FurthestSiteTriangulation) -> None:
         if found.dimension < 2:
             raise QhullError(_flat(found.dimension, 2, len(rows)))
         self._forget()
@@ -279,6 +275,9 @@ class Delaunay(_OfPlane):
         self._edited = None
 
     def _extend(self, rows: Rows) -> None:
+        if not isinstance(self._found, RegularTriangulation):
+            self._take(np.concatenate([self.points, rows]))
+            return
         edited = EditableTriangulation(self._found) if self._edited is None else self._edited
         edited.insert(rows)
         self._show(np.concatenate([self.points, rows]), edited.snapshot())
@@ -310,7 +309,7 @@ class Delaunay(_OfPlane):
     @cached_property
     def coplanar(self) -> Ints:
         hidden = self._found.hidden
-        if not len(hidden):
+        if not len(hidden) or not isinstance(self._found, RegularTriangulation):
             return np.empty((0, 3), np.int32)
         positions = self.points[hidden]
         found = hidden, self._found.locate(positions), self._found.nearest(positions)
