@@ -12,6 +12,7 @@
 #include "Geometry/HullStart.h"
 #include "HalfSpaces/HalfSpaceGeometry.h"
 #include "HalfSpaces/InteriorPoint.h"
+#include "HalfSpaces/SurelyRedundant.h"
 #include "Run/GeometryRun.h"
 #include "Support/EngineCall.h"
 
@@ -287,26 +288,33 @@ private:
     return row[0] == 0 && row[1] == 0 && row[2] == 0;
   }
 
-  /// Those without a border, and all but the first of several that are the same. The same have one
+  /// Those that are surely redundant, those without a border, and all but the first of several that
+  /// are the same. The same have one
   /// dual point, rounded; others that have the same one are moved a little apart: their positions
   /// distinguish vertices.
   std::vector<std::uint32_t> excludedIds()
   {
     const auto at = [this](std::uint32_t id) { return this->positions.data() + 3 * id; };
-    std::vector<std::uint32_t> excluded;
+    std::vector<std::uint32_t> excluded =
+      surelyRedundant(this->positions, this->threads, this->monitor);
     std::vector<std::pair<double, std::uint32_t>> order; // most differ in the first coordinate
-    order.reserve(static_cast<std::size_t>(this->ownCount()));
-    for (std::uint32_t id = 0; id < this->ownCount(); ++id)
-    {
-      if (this->isTrivial(id))
+    order.reserve(static_cast<std::size_t>(this->ownCount()) - excluded.size());
+    std::vector<std::uint32_t> trivial;
+    PointSubset::eachRemaining(
+      0, static_cast<std::uint32_t>(this->ownCount()), [](std::uint32_t id) { return id; },
+      excluded.data(), excluded.data() + excluded.size(), nullptr,
+      [&](std::uint32_t id)
       {
-        excluded.push_back(id);
-      }
-      else
-      {
-        order.emplace_back(at(id)[0], id);
-      }
-    }
+        if (this->isTrivial(id))
+        {
+          trivial.push_back(id);
+        }
+        else
+        {
+          order.emplace_back(at(id)[0], id);
+        }
+      });
+    excluded.insert(excluded.end(), trivial.begin(), trivial.end());
     std::sort(order.begin(), order.end(),
       [&at](const auto& a, const auto& b)
       {

@@ -33,7 +33,7 @@ PROMISED = {
 # The modules of a folder of the library: each may use those before it.
 MODULES = {
     "Engine": ["Support", "Points", "Predicates", "Mesh", "Geometry", "FlipFlop", "Finish", "Run",
-               "Surface", "HalfSpaces", "PowerDiagram", "Query", "Validate", "Alpha", "Constraints", "Edit", "Terrain",
+               "Surface", "PowerDiagram", "Query", "HalfSpaces", "Validate", "Alpha", "Constraints", "Edit", "Terrain",
                "Refine", "Blocks", "Stream", "Transport"],
     "Cuda": ["Rounds", "Device", "Choice"],
 }

@@ -35,6 +35,7 @@ OTHER = {
     "Engine/Geometry/HullStart.cxx": ("a map's shape", "1e-24"),
     "Engine/Surface/StarShape.cxx": ("a kernel that exact signs accept or refuse", "0x1p48"),
     "Engine/HalfSpaces/HalfSpaces.cxx": ("half-spaces far away, of which none may remain", "0x1p1023"),
+    "Engine/HalfSpaces/SurelyRedundant.cxx": ("margins that its header proves", "0x1p-24", "0x1p-50", "0x1p300"),
     "Engine/HalfSpaces/InteriorPoint.cxx": ("a box for an interior that exact signs accept or refuse", "0x1p20"),
     "Engine/Surface/LinearProgram.h": ("a kernel that exact signs accept or refuse", "1e-13"),
     "Engine/Query/FacetPlane.h": ("ranges of a rounded result", "0x1p-120", "0x1p1000", "0x1p1023"),
