@@ -81,6 +81,9 @@ public:
     return this->exponent == 0 ? coordinate : std::ldexp(coordinate, this->exponent);
   }
 
+  /// Coordinates are scaled by 2^ this.
+  int scaleExponent() const { return this->exponent; }
+
   /// Do the expansions that suit the sites carry a coordinate, too?
   bool fits(double coordinate) const
   {

@@ -6,11 +6,13 @@
 #include "Query/PlaneImage.h"
 #include "Query/PlaneInterpolator.h"
 #include "Query/PreparedTriangulation.h"
+#include "Query/SiteGradients.h"
 #include "Query/TaskValues.h"
 #include "Run/QueryRun.h"
 #include "Support/EngineCall.h"
 #include "Support/Parallel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -139,6 +141,34 @@ void interpolateEach(const PreparedTriangulation& prepared, InterpolationTask ta
     prepared, queries, result, options,
     [&](Monitor& monitor) { values.prepare(prepared, queries.count, task, monitor); },
     [&] { return PlaneInterpolator<double>(prepared, task, result); });
+}
+
+/// @param count of the sites
+/// @throw Error Aborted
+void gradientsInto(const PreparedTriangulation& prepared, const InterpolationTask& task,
+  std::size_t count, double* gradients, Monitor& monitor)
+{
+  constexpr std::size_t SitesPerTask = 1 << 10;
+  const SiteGradients estimated(prepared, task, false, monitor);
+  const int exponent = std::ilogb(estimated.unit()) + prepared.sites.scaleExponent();
+  const auto size = 2 * task.components;
+  eachChunk(count, SitesPerTask,
+    [&](std::size_t begin, std::size_t end, std::size_t)
+    {
+      for (std::size_t site = begin; site < end; ++site)
+      {
+        double* const own = gradients + size * prepared.sites[site].id;
+        if (prepared.dimension < 2)
+        {
+          std::fill_n(own, size, outside);
+          continue;
+        }
+        estimated.at(static_cast<std::uint32_t>(site), own);
+        std::transform(
+          own, own + size, own, [exponent](double x) { return std::ldexp(x, exponent); });
+      }
+      monitor.advance(static_cast<std::int64_t>(end - begin));
+    });
 }
 
 /// One query after another, by ascending ids.
@@ -293,6 +323,24 @@ SiteShares TriangulationQueries::shares(
         *this->prepared, queries, found.data(), options, [](Monitor&) {},
         [&] { return PlaneInterpolator<double>(*this->prepared, task, nullptr); });
       return withIds(*this->prepared, found);
+    });
+}
+
+void TriangulationQueries::siteGradients(
+  const double* values, std::int64_t components, double* gradients, const Options& options) const
+{
+  engineCall(
+    [&]
+    {
+      const std::size_t count = this->prepared->sites.count();
+      const InterpolationTask task{ Interpolation::CloughTocher, values, components, outside };
+      requireValues(*this->prepared, task, count > 0);
+      if (count > 0 && !gradients)
+      {
+        throw badArgument("there must be room for the gradients: a null pointer was given");
+      }
+      runOver(count, options,
+        [&](Monitor& monitor) { gradientsInto(*this->prepared, task, count, gradients, monitor); });
     });
 }
 

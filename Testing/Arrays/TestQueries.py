@@ -387,3 +387,42 @@ def test_natural_neighbours_have_the_shares_of_values(method, weighted):
         triangulation.natural_neighbours(places, "clough-tocher")
     with pytest.raises(InputError, match="NaN or infinite: first at point 1"):
         triangulation.natural_neighbours([[0, 0], [np.nan, 0]])
+
+
+@pytest.mark.parametrize("unit", [1.0, 1e-200, 1e200])
+def test_gradients(unit):
+    points = RANDOM.random((300, 2))
+    x, y = points.T
+    weights = np.where(np.arange(300) % 9, 0.0, -0.01)
+    triangulation = regular_triangulation(points * unit, weights * unit**2 if unit > 1e-100 and unit < 1e100 else None)
+    values = np.stack([x * x - 3 * x * y, x - 2 * y, 0 * x + 5], axis=1)
+    wanted = np.array([[2 * x - 3 * y, 1 + 0 * x, 0 * x], [-3 * x, 0 * x - 2, 0 * x]]).T.swapaxes(1, 2)
+    found = triangulation.gradients(values, threads=2) * unit
+    assert found.shape == (300, 2, 3) and not triangulation.gradients(x).flags.writeable
+    visible = triangulation.vertices
+    np.testing.assert_allclose(found[visible], wanted[visible], atol=1e-9)
+    assert np.isnan(found[triangulation.hidden]).all() and (unit != 1 or len(triangulation.hidden))
+    np.testing.assert_array_equal(triangulation.gradients(values[:, 1]) * unit, found[..., 1])
+    assert triangulation.gradients(values.reshape(300, 1, 3)).shape == (300, 2, 1, 3)
+    assert triangulation.gradients(np.empty((300, 0))).shape == (300, 2, 0)
+
+
+def test_gradients_are_the_slopes_of_the_smooth_surface():
+    grid = np.mgrid[0:10, 0:10].reshape(2, -1).T
+    points, values = grid + 0.6 * RANDOM.random((100, 2)), RANDOM.random(100)
+    inside = ((grid > 0) & (grid < 9)).all(axis=1)  # at the border, triangles may be flat, and slopes end soon
+    for triangulation in (regular_triangulation(points), regular_triangulation(points, constraints=[[3, 4]])):
+        gradients = triangulation.gradients(values)
+        for angle in np.linspace(0, 6, 9):
+            step = 1e-7 * np.array([np.cos(angle), np.sin(angle)])
+            rise = triangulation.interpolate(values, points + step, "clough-tocher") - values
+            np.testing.assert_allclose(rise[inside] / 1e-7, (gradients @ step)[inside] / 1e-7, atol=1e-3)
+
+
+def test_gradients_of_less():
+    for points in ([], [[1, 2]], [[1, 2], [2, 4], [1, 2]]):
+        flat = regular_triangulation(np.reshape(points, (-1, 2)))
+        assert flat.gradients(np.ones(len(points))).shape == (len(points), 2)
+        assert np.isnan(flat.gradients(np.ones(len(points)))).all()
+    with pytest.raises(ValueError, match="values are 3 numbers or rows, not an array of shape"):
+        flat.gradients([1, 2])

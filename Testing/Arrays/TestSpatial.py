@@ -327,6 +327,36 @@ class TestInterpolators(unittest.TestCase):
                 other = scipy.interpolate.griddata(*arguments, "linear", -1, rescale)
                 np.testing.assert_allclose(one, other, atol=1e-9)
 
+    def test_gradients(self):
+        points = CLOUDS["plane"]
+        x, y = points.T
+        values = np.column_stack([x**2 - 3 * x * y, np.sin(3 * x)])
+        wanted = np.transpose([[2 * x - 3 * y, -3 * x], [3 * np.cos(3 * x), 0 * x]], (2, 0, 1))
+        tri, smooth = spatial.Delaunay(points), spatial.CloughTocher2DInterpolator(points, values)
+        found = spatial.estimate_gradients_2d_global(tri, values)
+        np.testing.assert_array_equal(found, smooth.grad)
+        np.testing.assert_allclose(found[:, 0], wanted[:, 0], atol=1e-9)
+        np.testing.assert_allclose(found[:, 1], wanted[:, 1], atol=0.2)
+        of_complex = spatial.estimate_gradients_2d_global(tri, values[:, 0] + 1j * values[:, 1])
+        np.testing.assert_array_equal(of_complex, found[:, 0] + 1j * found[:, 1])
+        twice = spatial.CloughTocher2DInterpolator(np.concatenate([points, points[:5]]), np.append(x, x[:5]))
+        np.testing.assert_allclose(twice.grad, np.broadcast_to([[[1.0, 0]]], (305, 1, 2)), atol=1e-12)
+        stretched = spatial.CloughTocher2DInterpolator(points * [1, 1000], y, rescale=True)
+        np.testing.assert_allclose(stretched.grad[:, 0, 1], np.ptp(y), rtol=1e-12)
+        with self.assertRaisesRegex(ValueError, "wrong number of items"):
+            spatial.estimate_gradients_2d_global(tri, values[1:])
+        if HAS_SCIPY:
+            import scipy.interpolate
+
+            for given in (x, values, values.reshape(300, 2, 1), x + 1j):
+                one, other = (
+                    layer.CloughTocher2DInterpolator(points, given) for layer in (spatial, scipy.interpolate)
+                )
+                self.assertEqual((one.grad.shape, one.grad.dtype), (other.grad.shape, other.grad.dtype))
+                self.assertEqual(spatial.estimate_gradients_2d_global(tri, given).shape, given.shape + (2,))
+            of_scipys = spatial.estimate_gradients_2d_global(scipy.spatial.Delaunay(points), values)
+            np.testing.assert_array_equal(of_scipys, found)
+
     def test_bad_input(self):
         with self.assertRaisesRegex(ValueError, "different number of values and points"):
             spatial.LinearNDInterpolator(SQUARE, [1, 2])

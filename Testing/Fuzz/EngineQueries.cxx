@@ -177,6 +177,8 @@ void expectImage(const TriangulationQueries& asked, std::size_t siteCount, const
     values[i] = static_cast<double>(i % 7);
   }
   asked.interpolateLinear(values.data(), 1, test::viewOf(pixels), expected.data(), options);
+  std::vector<double> gradients(2 * siteCount);
+  asked.siteGradients(values.data(), 1, gradients.data(), options);
   for (const Interpolation method :
     { Interpolation::CloughTocher, Interpolation::Natural, Interpolation::Linear })
   {

@@ -143,6 +143,29 @@ nb::tuple sharesOf(const Sites& self, const std::string& method, const InputArra
     arrayOf(std::move(found.shares)));
 }
 
+/// By x and by y for each point and component; NaN of hidden points.
+auto gradientsOf(const Sites& self, const Values& values, const Settings& settings)
+{
+  const std::size_t components = values.shape(1);
+  if (static_cast<std::int64_t>(values.shape(0)) != self.points)
+  {
+    throw nb::value_error("there are not as many values as points");
+  }
+  Buffer<double> found(2 * values.shape(0) * components);
+  std::fill(found.begin(), found.end(), std::numeric_limits<double>::quiet_NaN());
+  if (components > 0)
+  {
+    settings.run(
+      [&](const Options& options)
+      {
+        self.queries.siteGradients(
+          values.data(), static_cast<std::int64_t>(components), found.data(), options);
+        return 0;
+      });
+  }
+  return arrayOf(std::move(found), { values.shape(0), components, 2 });
+}
+
 Sites sitesOf(const InputArray& points, const std::optional<InputArray>& weights,
   const Handle<Triangulation>& triangulation, const Settings& settings)
 {
@@ -291,6 +314,7 @@ void bindQueries(nb::module_& module)
           [&](auto... arguments) { self.queries.interpolateLaplace(arguments...); });
       })
     .def("shares", &sharesOf)
+    .def("gradients", &gradientsOf)
     .def("interpolate_clough_tocher",
       [](const Sites& self, const Values& values, const InputArray& positions,
         const Settings& settings)

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from importlib import import_module
 from typing import Any, Literal
 
@@ -87,6 +88,11 @@ class CloughTocher2DInterpolator(_Interpolator):
     """As scipy.interpolate.CloughTocher2DInterpolator: smooth. Gradients are those of fitted quadratic functions.
 
     So quadratic functions are reproduced, and values differ from scipy's; tol and maxiter do not matter.
+
+    Attributes
+    ----------
+    grad : ndarray of n by components by 2
+        the gradients at the points; with rescale, of points taken by their ranges
     """
 
     _method = "clough-tocher"
@@ -103,6 +109,33 @@ class CloughTocher2DInterpolator(_Interpolator):
         if np.ndim(_rows_of(points)) == 2 and np.shape(_rows_of(points))[1] != 2:
             raise ValueError("CloughTocher2DInterpolator is of points in the plane")
         super().__init__(points, values, fill_value, rescale)
+
+    @cached_property
+    def grad(self) -> NDArray[Any]:
+        """The gradients at the points, n by components by 2; of coordinates as rescale changes them."""
+        return _gradients(self._found, self.values.reshape(len(self.values), -1))
+
+
+def estimate_gradients_2d_global(tri: Any, y: ArrayLike, maxiter: int = 400, tol: float = 1e-6) -> NDArray[Any]:
+    """As scipy.interpolate's: the gradients of values at the points of a triangulation, of the shape of y and 2.
+
+    They are those of CloughTocher2DInterpolator; of points at another's position, the other's. maxiter and tol do not
+    matter.
+    """
+    values = np.asarray(y)
+    if len(values) != len(tri.points):
+        raise ValueError("'y' has a wrong number of items")
+    found = getattr(tri, "_found", None)
+    return _gradients(regular_triangulation(tri.points) if found is None else found, values)
+
+
+def _gradients(found: RegularTriangulation, values: NDArray[Any]) -> NDArray[Any]:
+    if np.iscomplexobj(values):
+        return np.asarray(_gradients(found, values.real) + 1j * _gradients(found, values.imag))
+    gradients = np.moveaxis(found.gradients(values.astype(np.float64)), 1, -1).copy()
+    if len(found.hidden):
+        gradients[found.hidden] = gradients[np.asarray(found.nearest(found.points[found.hidden]))]
+    return gradients
 
 
 class NearestNDInterpolator(_Interpolator):

@@ -18,7 +18,7 @@ from ._device import memory_of
 from ._domain import domain_of_call
 from ._errors import InputError
 from ._geometries import Degenerate
-from ._input import points_and_weights_of, points_of
+from ._input import points_and_weights_of, points_of, values_of
 from ._plane_cells import LocatedCells
 from ._power_diagram import PowerDiagram
 from ._queries import Numbers, changed, results_of, unchanged
@@ -121,6 +121,18 @@ class RegularTriangulation(LocatedCells):
         """
         found: Numbers = results_of(self._queries.nearest, points, (2, 3), threads, non_finite, progress)
         return found
+
+    def gradients(self, values: ArrayLike, *, threads: int = 0, progress: Progress = None) -> Floats:
+        """The gradients of values (n, ...) at the points: an array (n, 2, ...), by x and by y.
+
+        interpolate() with "clough-tocher" has them: those of quadratic functions that fit the values around. They are
+        NaN of hidden points, and of all below dimension 2.
+        """
+        given = values_of(values, self.npoints)
+        rows = given.reshape(self.npoints, int(np.prod(given.shape[1:])))
+        chosen = settings(threads, "triangles", "error", "cpu", progress, False)
+        found = run(chosen, self._queries.gradients, rows)
+        return np.moveaxis(found.reshape(*given.shape, 2), -1, 1)
 
     def natural_neighbours(
         self,

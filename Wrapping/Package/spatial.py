@@ -29,7 +29,13 @@ from ._edit import EditableTriangulation
 from ._furthest_site import FurthestSiteTriangulation, furthest_site_triangulation
 from ._hull import convex_hull
 from ._input import is_array_like
-from ._interpolators import CloughTocher2DInterpolator, LinearNDInterpolator, NearestNDInterpolator, griddata
+from ._interpolators import (
+    CloughTocher2DInterpolator,
+    LinearNDInterpolator,
+    NearestNDInterpolator,
+    estimate_gradients_2d_global,
+    griddata,
+)
 from ._qhull import QhullError, say_unused
 from ._results import Facets
 from ._rings import lists_of
@@ -50,6 +56,7 @@ __all__ = [
     "Voronoi",
     "convex_hull_plot_2d",
     "delaunay_plot_2d",
+    "estimate_gradients_2d_global",
     "griddata",
     "tsearch",
     "voronoi_plot_2d",

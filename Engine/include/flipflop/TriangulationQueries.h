@@ -242,6 +242,19 @@ public:
   void interpolateCloughTocher(const double* values, std::int64_t components,
     const PointView& queries, double* result, const Options& options = Options()) const;
 
+  /// The gradients at the sites that interpolateCloughTocher() estimates, per unit of the
+  /// positions. They are the same, bit for bit, for any number of threads.
+  /// @param values     as for interpolateLinear()
+  /// @param components as for interpolateLinear()
+  /// @param gradients  of each point of the input: receives at [2 * (id * components + c)] the
+  ///                   derivative by x, then that by y. Those of hidden points are left as they
+  ///                   are. Not finite where a value around is not, or numbers overflow; in
+  ///                   dimension 1 and 0, NaN.
+  /// @param options    only the threads and the progress function are used
+  /// @throw Error      BadArgument (a null array, components less than 1), OutOfMemory, Aborted
+  void siteGradients(const double* values, std::int64_t components, double* gradients,
+    const Options& options = Options()) const;
+
   /// The values at all pixels of an axis-aligned image: those that the call of the same method
   /// gives at the pixels' positions, bit for bit. It is faster, for pixels are found by triangles:
   /// a triangle costs the rows that it crosses, a pixel its value.

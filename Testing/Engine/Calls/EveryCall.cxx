@@ -327,6 +327,13 @@ void addQueriesOfTriangulations(Table& table, const CallInputs& inputs)
   add("interpolateCloughTocher", 0.0,
     [given](const TriangulationQueries& of, Points points, double* values, const Options& o)
     { of.interpolateCloughTocher(given->data()->data(), 1, points, values, o); });
+  table.add("siteGradients", sites, true, false, unread,
+    [=](Points, Weights, const Options& options)
+    {
+      return bitsWritten<double>(2 * given->size(),
+        [&](double* gradients)
+        { queries->siteGradients(given->data()->data(), 1, gradients, options); });
+    });
   const double step = box[0] / 15;
   table.add("interpolateImage", sites, true, false, unread,
     [=](Points, Weights, const Options& options)

@@ -118,6 +118,97 @@ TEST(CloughTocher, HasContinuousGradients)
   EXPECT_GT(compared, 300);
 }
 
+std::vector<double> gradientsAt(
+  const TriangulationQueries& queries, const std::vector<double>& values, std::size_t sites)
+{
+  const std::size_t components = values.size() / sites;
+  std::vector<double> found(2 * values.size(), 7.0);
+  queries.siteGradients(values.data(), static_cast<std::int64_t>(components), found.data());
+  return found;
+}
+
+/// They are those of quadratic functions, at any range; hidden points have none.
+TEST(CloughTocher, HasTheGradientsAtSites)
+{
+  const Cloud unit = randomSites(200, 0.002, 3);
+  std::vector<double> values;
+  for (const Point& site : unit)
+  {
+    const double x = site[0], y = site[1];
+    values.insert(values.end(), { x * x - 3 * x * y + 2 * y * y + x - 1, 3 * x - 2 * y });
+  }
+  for (const double factor : { 1.0, 0x1p-500, 0x1p500 })
+  {
+    const Cloud sites = magnified(unit, factor);
+    const Triangulation triangulation = triangulationOf(sites, FacetMode::Triangles);
+    ASSERT_FALSE(triangulation.hiddenIds.empty());
+    const std::vector<double> found = gradientsAt(queriesOf(sites), values, sites.size());
+    for (const std::int64_t id : triangulation.pointIds)
+    {
+      const Point& at = unit[static_cast<std::size_t>(id)];
+      const double expected[] = { 2 * at[0] - 3 * at[1] + 1, -3 * at[0] + 4 * at[1], 3, -2 };
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        ASSERT_NEAR(found[static_cast<std::size_t>(4 * id) + k] * factor, expected[k], 1e-9) << id;
+      }
+    }
+    for (const std::int64_t id : triangulation.hiddenIds)
+    {
+      EXPECT_EQ(found[static_cast<std::size_t>(4 * id)], 7.0);
+    }
+  }
+}
+
+/// Those of any values are the slopes of the surface, in every direction. Triangles at the border
+/// may be so flat that the slopes end within a step.
+TEST(CloughTocher, HasTheSlopesOfItsGradientsAtSites)
+{
+  constexpr double step = 1e-7;
+  constexpr std::size_t side = 8;
+  Random random(6);
+  Cloud sites = squareGrid(side);
+  for (Point& site : sites)
+  {
+    site[0] += random.uniform(0, 0.6);
+    site[1] += random.uniform(0, 0.6);
+  }
+  const TriangulationQueries queries = queriesOf(sites);
+  std::vector<double> values(sites.size());
+  std::generate(values.begin(), values.end(), [&] { return random.uniform(-1, 1); });
+  const std::vector<double> gradients = gradientsAt(queries, values, sites.size());
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    const std::size_t row = i / side, column = i % side;
+    if (std::min(row, column) == 0 || std::max(row, column) == side - 1)
+    {
+      continue;
+    }
+    for (int k = 0; k < 7; ++k)
+    {
+      const double x = std::cos(0.9 * k), y = std::sin(0.9 * k);
+      const double there =
+        smoothAt(queries, values, { { sites[i][0] + step * x, sites[i][1] + step * y, 0 } })[0];
+      const double slope = gradients[2 * i] * x + gradients[2 * i + 1] * y;
+      EXPECT_NEAR((there - values[i]) / step, slope, 1e-3) << i;
+    }
+  }
+}
+
+TEST(CloughTocher, HasNoGradientsOnALine)
+{
+  const Cloud line = { { 0, 0, 0 }, { 2, 4, 0 } };
+  const TriangulationQueries queries = queriesOf(line);
+  for (const double x : gradientsAt(queries, { 3, 5 }, 2))
+  {
+    EXPECT_TRUE(std::isnan(x));
+  }
+  double number = 0;
+  EXPECT_THROW(queries.siteGradients(nullptr, 1, &number), Error);
+  EXPECT_THROW(queries.siteGradients(&number, 0, &number), Error);
+  EXPECT_THROW(queries.siteGradients(&number, 1, nullptr), Error);
+  TriangulationQueries({}, {}, Triangulation()).siteGradients(nullptr, 1, nullptr);
+}
+
 TEST(CloughTocher, ErrsLessOnSmoothFunctions)
 {
   const Function terrain = [](double x, double y)
