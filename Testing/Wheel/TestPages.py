@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the FlipFlop authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python of pages runs as it is printed, and prints what its comments say: README.md and two others, tutorials as
+"""The Python of pages runs as it is printed, and prints what its comments say: README.md and three others, tutorials as
 notebooks, and the arrays' examples. A tutorial's pictures are those that its code draws.
 
 What imports something that is not installed is left out, with all after it: it uses that, too. In the cookbook, and for
@@ -71,7 +71,7 @@ def run(page, blocks, capsys, least=1):
     return ran
 
 
-@pytest.mark.parametrize("page", ["README.md", "Documentation/Python.md", "Documentation/CheckAResult.md"])
+@pytest.mark.parametrize("page", ["README.md", "Documentation/Python.md", "Documentation/FromScipy.md", "Documentation/CheckAResult.md"])
 def test_page(page, capsys, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     assert run(page, re.findall(r"```python\n(.*?)```", (TOP / page).read_text(), re.DOTALL), capsys)

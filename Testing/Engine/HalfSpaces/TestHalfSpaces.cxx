@@ -384,17 +384,17 @@ TEST(HalfSpaces, OfTangentPlanes)
     {
       SCOPED_TRACE(std::to_string(dimension) + " " + std::to_string(shift));
       const Exact center{ shift, -shift, dimension == 3 ? 2 * shift : 0 };
-      const std::vector<Row> rows = tangentPlanes(40, center, dimension);
+      const std::vector<Row> rows = tangentPlanes(25, center, dimension);
       const HalfSpaceIntersection found = intersectionOf(rows, dimension);
       EXPECT_EQ(faultOf(rows, dimension, found), "");
-      EXPECT_EQ(found.pointIds.size(), 40u);
+      EXPECT_EQ(found.pointIds.size(), 25u);
       const double interior[] = { shift, -shift, 2 * shift };
       EXPECT_EQ(faultOf(rows, dimension, intersectionOf(rows, dimension, interior)), "");
     }
   }
 }
 
-TEST(HalfSpaces, OfGreatNumbersOfPlanesHaveAVertexForEachTriangle)
+TEST(HalfSpaces, OfManyTangentPlanes)
 {
   const std::vector<Row> rows = tangentPlanes(3000, { 0, 0, 0 }, 3);
   const HalfSpaceIntersection found = intersectionOf(rows, 3);
@@ -410,6 +410,51 @@ TEST(HalfSpaces, OfGreatNumbersOfPlanesHaveAVertexForEachTriangle)
         sum += rows[id][k] * found.vertices[i + k];
       }
       ASSERT_LT(sum, 1e-12);
+    }
+  }
+}
+
+/// Most of many are left out at once: the others have the same vertices.
+TEST(HalfSpaces, OfWhichFewHaveAFacet)
+{
+  Random random(5);
+  for (const int dimension : { 2, 3 })
+  {
+    for (const double thinness : { 1.0, 1e-3 })
+    {
+      SCOPED_TRACE(std::to_string(dimension) + " " + std::to_string(thinness));
+      std::vector<Row> rows = tangentPlanes(6000, { 0, 0, 0 }, dimension);
+      for (Row& row : rows)
+      {
+        row[0] *= thinness;
+        row[3] *= random.uniform(1, 1.5);
+      }
+      const HalfSpaceIntersection found = intersectionOf(rows, dimension);
+      ASSERT_EQ(found.kind, Intersection::Bounded);
+      std::vector<Row> facets;
+      for (const std::int64_t id : found.pointIds)
+      {
+        facets.push_back(rows[static_cast<std::size_t>(id)]);
+      }
+      ASSERT_LT(facets.size(), 3000u);
+      const HalfSpaceIntersection same = intersectionOf(facets, dimension, found.interior);
+      EXPECT_EQ(bitsOf(same.connectivity), bitsOf(found.connectivity));
+      EXPECT_EQ(bitsOf(same.vertices), bitsOf(found.vertices));
+      const auto axes = static_cast<std::size_t>(dimension);
+      for (std::size_t i = 0; i < found.vertices.size(); i += axes)
+      {
+        for (const Row& row : rows)
+        {
+          double sum = row[3];
+          double most = -row[3];
+          for (std::size_t k = 0; k < axes; ++k)
+          {
+            sum += row[k] * found.vertices[i + k];
+            most += std::fabs(row[k] * found.vertices[i + k]);
+          }
+          ASSERT_LT(sum, 1e-14 * most);
+        }
+      }
     }
   }
 }
