@@ -56,7 +56,10 @@ public:
     }
     if (this->prepared.dimension == 0)
     {
-      this->shares.push_back({ 0, 1.0 });
+      if (this->prepared.numberOf(0) != NoIndex)
+      {
+        this->shares.push_back({ 0, 1.0 });
+      }
       this->put(index);
       return;
     }

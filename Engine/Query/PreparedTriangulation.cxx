@@ -62,6 +62,9 @@ PreparedTriangulation::PreparedTriangulation(const PointView& points, const Weig
         requireSound(check.checkEdges(CellForm::InRange, fixedEdges), triangulation, NotRegular);
         this->renumber(monitor);
         this->locator = SiteLocator(this->sites.data(), this->mesh, check.isRegular(), monitor);
+      }
+      if (inside)
+      {
         this->numberCells(triangulation.cellCount(), inside);
       }
       monitor.stage(1.0, 1.0, 1);
@@ -85,25 +88,25 @@ void PreparedTriangulation::renumber(Monitor& monitor)
 std::int64_t PreparedTriangulation::cellAt(
   const SiteSigns& signs, const double* position, WalkStart& start) const
 {
+  const auto orOutside = [](std::uint32_t number)
+  { return number == NoIndex ? std::int64_t(-1) : static_cast<std::int64_t>(number); };
   if (this->dimension < 0 || !this->sites.inBox(position))
   {
     return -1;
   }
   if (this->dimension == 0)
   {
-    return 0; // the box is the site
+    return orOutside(this->numberOf(0)); // the box is the site
   }
   return signs.withSpace(position,
     [&](const auto& space) -> std::int64_t
     {
       if (this->dimension == 1)
       {
-        const ChainLocation found = this->chain.locate(space);
-        return found.from == NoIndex ? -1 : static_cast<std::int64_t>(found.cell);
+        return orOutside(this->chain.locate(space).cell);
       }
-      const std::uint32_t found =
-        this->lowestCell(this->locator.locate(space, this->sites.scaled(position), start));
-      return found == NoIndex ? -1 : static_cast<std::int64_t>(found);
+      return orOutside(
+        this->lowestCell(this->locator.locate(space, this->sites.scaled(position), start)));
     });
 }
 
@@ -132,15 +135,12 @@ std::uint32_t PreparedTriangulation::lowestCell(const MeshLocation& location) co
     return NoIndex;
   }
   const std::uint32_t h = halfEdge(location.triangle, location.corner);
-  if (this->numberOf.empty() && location.kind == MeshLocation::AtCorner)
+  if (this->numbers.empty() && location.kind == MeshLocation::AtCorner)
   {
     return this->mesh.lowestCellAt[this->mesh.origin(h)];
   }
   const auto number = [this](std::uint32_t of)
-  {
-    const std::uint32_t cell = of == NoIndex ? NoIndex : this->mesh.cellOf(triangleOf(of));
-    return cell == NoIndex || this->numberOf.empty() ? cell : this->numberOf[cell];
-  };
+  { return of == NoIndex ? NoIndex : this->numberOf(this->mesh.cellOf(triangleOf(of))); };
   std::uint32_t lowest = number(h);
   if (location.kind == MeshLocation::OnEdge)
   {
@@ -169,15 +169,15 @@ void PreparedTriangulation::requireRegular(const char* sentence) const
 /// Those inside, in order.
 void PreparedTriangulation::numberCells(std::int64_t count, const std::uint8_t* inside)
 {
-  if (!inside)
-  {
-    return;
-  }
-  this->numberOf.allocate(static_cast<std::size_t>(count));
+  this->numbers.allocate(static_cast<std::size_t>(count));
   std::uint32_t number = 0;
-  for (std::size_t c = 0; c < this->numberOf.size(); ++c)
+  for (std::size_t c = 0; c < this->numbers.size(); ++c)
   {
-    this->numberOf[c] = inside[c] ? number++ : NoIndex;
+    this->numbers[c] = inside[c] ? number++ : NoIndex;
+  }
+  if (this->dimension == 1)
+  {
+    this->chain.renumberCells(this->numbers);
   }
 }
 

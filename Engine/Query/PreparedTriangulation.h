@@ -25,7 +25,7 @@ class PreparedTriangulation
 {
 public:
   /// @param fixedEdges null: of a regular triangulation
-  /// @param inside     a mask of the cells; null: all are inside
+  /// @param inside     a mask of the cells, of any dimension; null: all are inside
   /// @throw Error as TriangulationQueries
   PreparedTriangulation(const PointView& points, const WeightView& weights,
     const Triangulation& triangulation, const Buffer<std::int64_t>* fixedEdges,
@@ -49,8 +49,14 @@ public:
   /// Is there one?
   bool isInside(const MeshLocation& location) const
   {
-    return this->numberOf.empty() ? location.kind != MeshLocation::Outside
-                                  : this->lowestCell(location) != NoIndex;
+    return this->numbers.empty() ? location.kind != MeshLocation::Outside
+                                 : this->lowestCell(location) != NoIndex;
+  }
+
+  /// The number of a cell among those inside; NoIndex: it is not one of them.
+  std::uint32_t numberOf(std::uint32_t cell) const
+  {
+    return this->numbers.empty() ? cell : this->numbers[cell];
   }
 
   /// @throw Error BadArgument
@@ -60,14 +66,14 @@ public:
   Sites sites;
   FanMesh mesh;        ///< of dimension 2
   SiteLocator locator; ///< of dimension 2
-  SiteChain chain;     ///< of dimension 1
+  SiteChain chain;     ///< of dimension 1; its cells have their numbers among those inside
 
 private:
   void renumber(Monitor& monitor);
   void numberCells(std::int64_t count, const std::uint8_t* inside);
 
   bool isConstrained;
-  Buffer<std::uint32_t> numberOf; ///< of each cell, in lowestCell(); empty: its own
+  Buffer<std::uint32_t> numbers; ///< of each cell; empty: its own
 };
 
 }

@@ -59,4 +59,12 @@ Validation SiteChain::make(const Vertex* sites, const LiftedGeometry<true>& geom
   return Validation();
 }
 
+void SiteChain::renumberCells(const Buffer<std::uint32_t>& numbers)
+{
+  for (std::uint32_t& cell : this->cells)
+  {
+    cell = numbers[cell];
+  }
+}
+
 }

@@ -24,7 +24,7 @@ struct ChainLocation
 {
   std::uint32_t from = NoIndex; ///< index of a site; NoIndex: off the chain
   std::uint32_t to = NoIndex;
-  std::uint32_t cell = NoIndex; ///< of several the lowest
+  std::uint32_t cell = NoIndex; ///< of several the lowest; NoIndex: off the chain
 };
 
 class SiteChain
@@ -39,6 +39,10 @@ public:
   /// @throw Error OutOfMemory, Aborted
   Validation make(const Vertex* vertices, const LiftedGeometry<true>& geometry,
     const Triangulation& triangulation, Monitor& monitor);
+
+  /// @param numbers of the cells from now on; NoIndex: a position that only this cell holds is off
+  ///                the chain
+  void renumberCells(const Buffer<std::uint32_t>& numbers);
 
   /// @param space of the query
   template <class Space>
@@ -55,13 +59,18 @@ public:
       return ChainLocation();
     }
     const std::size_t at = static_cast<std::size_t>(after - begin);
+    const std::uint32_t before = at > 0 ? this->cells[at - 1] : NoIndex;
+    ChainLocation found;
     if (Sites::Geometry::samePlanePosition(space.site(*after), p))
     {
-      const std::uint32_t before = at > 0 ? this->cells[at - 1] : NoIndex;
       const std::uint32_t next = at < this->cells.size() ? this->cells[at] : NoIndex;
-      return { *after, *after, std::min(before, next) };
+      found = { *after, *after, std::min(before, next) };
     }
-    return at == 0 ? ChainLocation() : ChainLocation{ *(after - 1), *after, this->cells[at - 1] };
+    else if (at > 0)
+    {
+      found = { *(after - 1), *after, before };
+    }
+    return found.cell == NoIndex ? ChainLocation() : found;
   }
 
   /// The index of the nearest site.
@@ -92,7 +101,7 @@ private:
   }
 
   Buffer<std::uint32_t> along; ///< indices of sites
-  Buffer<std::uint32_t> cells; ///< from each site to the next
+  Buffer<std::uint32_t> cells; ///< from each site to the next; NoIndex: none
 };
 
 }

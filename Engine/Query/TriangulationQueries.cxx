@@ -209,11 +209,17 @@ SiteShares withIds(const PreparedTriangulation& prepared, std::vector<PlaneShare
 
 TriangulationQueries::TriangulationQueries(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const Options& options)
+  : TriangulationQueries(points, weights, triangulation, nullptr, options)
+{
+}
+
+TriangulationQueries::TriangulationQueries(const PointView& points, const WeightView& weights,
+  const Triangulation& triangulation, const std::uint8_t* inside, const Options& options)
   : prepared(engineCall(
       [&]
       {
         return std::make_unique<PreparedTriangulation>(
-          points, weights, triangulation, nullptr, nullptr, options);
+          points, weights, triangulation, nullptr, inside, options);
       }))
 {
 }

@@ -99,8 +99,25 @@ public:
   TriangulationQueries(const PointView& points, const WeightView& weights,
     const Triangulation& triangulation, const Options& options = Options());
 
-  /// Of a constrained triangulation: for locate() and interpolateLinear(). Natural neighbours and
-  /// the nearest site are those of the regular triangulation, so the other calls are an error.
+  /// Of some cells of a regular triangulation. A position that only the others hold is outside: it
+  /// has no cell, value or share. A border that a cell inside and one of the others have in common
+  /// is inside. Values are those of the whole triangulation, bit for bit: natural neighbours and
+  /// gradients are found among all its sites. nearest() is that of the whole triangulation, too.
+  /// @param points        as they were triangulated
+  /// @param weights       as they were triangulated
+  /// @param triangulation of these points, in either mode of facets, with all its cells
+  /// @param inside        for each cell 1 if it is inside, else 0; null: all are. locate() numbers
+  ///                      the cells inside alone, in their order, as keepCells() does; of several
+  ///                      that hold a position, the lowest.
+  /// @param options       only the threads and the progress function are used
+  /// @throw Error         as of the whole triangulation
+  TriangulationQueries(const PointView& points, const WeightView& weights,
+    const Triangulation& triangulation, const std::uint8_t* inside,
+    const Options& options = Options());
+
+  /// Of a constrained triangulation: for locate(), and linear and Clough-Tocher values. Natural
+  /// neighbours and the nearest site are those of the regular triangulation, so the other calls are
+  /// an error.
   /// @param points        as they were triangulated
   /// @param triangulation of these points; apart from its cells, only its fixed edges count
   /// @param inside        for each cell 1 if it is inside, as cellsInside() gives it, else 0; null:

@@ -302,6 +302,16 @@ void addQueriesOfTriangulations(Table& table, const CallInputs& inputs)
         .nearest(PointView(box.data(), 1, 2), &id);
       return bitsOf(&id, 1);
     });
+  const auto half = std::make_shared<std::vector<std::uint8_t>>(sizeOf(found->cellCount()), 1);
+  std::fill_n(half->begin(), half->size() / 2, std::uint8_t(0));
+  table.add("TriangulationQueriesOfSomeCells", sites, true, true, bad,
+    [=](Points points, Weights weights, const Options& options)
+    {
+      std::int64_t cells[] = { -2, -2 };
+      TriangulationQueries(points, weights, *found, half->data(), options)
+        .locate(PointView(box.data(), 2, 2), cells);
+      return bitsOf(cells, 2);
+    });
   const auto add = [&](const char* name, auto value, auto ask)
   {
     using Value = decltype(value);

@@ -108,6 +108,16 @@ inline Cloud placesAmong(const Cloud& sites, int count, Random& random)
   return places;
 }
 
+/// A mask of cells, of which each stays by a chance of one in so many, or all others do.
+inline std::vector<std::uint8_t> someOf(std::int64_t cells, int chance, Random& random)
+{
+  std::vector<std::uint8_t> inside(static_cast<std::size_t>(cells));
+  const bool areFew = random.integer(0, 1) == 1;
+  std::generate(inside.begin(), inside.end(),
+    [&] { return (random.integer(1, chance) == 1) == areFew ? 1 : 0; });
+  return inside;
+}
+
 inline Rational orientation(const Point& a, const Point& b, const Point& c)
 {
   return (Rational(b[0]) - a[0]) * (Rational(c[1]) - a[1]) -

@@ -160,17 +160,22 @@ TEST_P(PlaneImages, AreTheInterpolatedValues)
     const std::vector<double> values = valuesFor(sites, input.seed);
     for (const FacetMode facets : { FacetMode::Triangles, FacetMode::Polygons })
     {
-      const TriangulationQueries queries(
-        viewOf(sites), weightsOf(sites), triangulationOf(sites, facets));
-      bool isFirst = true;
-      for (const ImageGrid& grid : gridsAmong(sites, random))
+      const Triangulation triangulation = triangulationOf(sites, facets);
+      for (const bool areAll : { true, false })
       {
-        expectImage(queries, Interpolation::Linear, values, grid);
-        if (std::exchange(isFirst, false))
+        const std::vector<std::uint8_t> inside = someOf(triangulation.cellCount(), 2, random);
+        const TriangulationQueries queries(
+          viewOf(sites), weightsOf(sites), triangulation, areAll ? nullptr : inside.data());
+        bool isFirst = true;
+        for (const ImageGrid& grid : gridsAmong(sites, random))
         {
-          expectImage(queries, Interpolation::Natural, values, grid);
+          expectImage(queries, Interpolation::Linear, values, grid);
+          if (std::exchange(isFirst, false))
+          {
+            expectImage(queries, Interpolation::Natural, values, grid);
+          }
+          ASSERT_FALSE(HasFailure());
         }
-        ASSERT_FALSE(HasFailure());
       }
     }
   }

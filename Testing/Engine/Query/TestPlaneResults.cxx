@@ -58,6 +58,56 @@ void expectLocated(const TriangulationQueries& queries, const Cloud& sites,
   }
 }
 
+CellComplex cellsThatRemain(const CellComplex& whole, const std::vector<std::uint8_t>& inside)
+{
+  CellComplex rest;
+  copyCells(whole, rest);
+  keepCells(rest, inside.data());
+  return rest;
+}
+
+/// Values by all methods, shares and nearest sites: where a cell holds the place, those of the
+/// whole triangulation bit for bit, outside none.
+void expectThoseOfTheWhole(const TriangulationQueries& some, const TriangulationQueries& whole,
+  const Cloud& places, const std::vector<double>& values)
+{
+  const PointView at = viewOf(places);
+  std::vector<std::int64_t> cells(places.size()), ids(places.size()), wholeIds(places.size());
+  some.locate(at, cells.data());
+  some.nearest(at, ids.data());
+  whole.nearest(at, wholeIds.data());
+  EXPECT_EQ(ids, wholeIds);
+  std::vector<double> found(places.size()), wanted(places.size());
+  for (const auto interpolate :
+    { &TriangulationQueries::interpolateLinear, &TriangulationQueries::interpolateNatural,
+      &TriangulationQueries::interpolateLaplace, &TriangulationQueries::interpolateCloughTocher })
+  {
+    (some.*interpolate)(values.data(), 1, at, found.data(), Options());
+    (whole.*interpolate)(values.data(), 1, at, wanted.data(), Options());
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      ASSERT_TRUE(cells[i] < 0 ? std::isnan(found[i]) : found[i] == wanted[i])
+        << placeText(places[i]);
+    }
+  }
+  for (const Interpolation method :
+    { Interpolation::Linear, Interpolation::Natural, Interpolation::Laplace })
+  {
+    const SiteShares few = some.shares(method, at);
+    const SiteShares all = whole.shares(method, at);
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      const std::int64_t from = few.offsets[i], to = few.offsets[i + 1];
+      const std::int64_t count = cells[i] < 0 ? 0 : all.offsets[i + 1] - all.offsets[i];
+      ASSERT_EQ(to - from, count) << placeText(places[i]);
+      ASSERT_TRUE(
+        std::equal(few.ids.begin() + from, few.ids.begin() + to, all.ids.begin() + all.offsets[i]));
+      ASSERT_TRUE(std::equal(
+        few.shares.begin() + from, few.shares.begin() + to, all.shares.begin() + all.offsets[i]));
+    }
+  }
+}
+
 /// Limits at which something happens: edges' lengths, rounded, and their neighbours.
 std::vector<double> limitsAmong(const Cloud& sites, const std::vector<Cell>& cells)
 {
@@ -125,6 +175,26 @@ TEST_P(PlaneResults, CellsSitesAndLinearValues)
           values.data(), 1, viewOf({ sites[static_cast<std::size_t>(id)] }), &value);
         EXPECT_EQ(value, values[static_cast<std::size_t>(id)]);
       }
+    });
+}
+
+TEST_P(PlaneResults, OfSomeCellsAreThoseOfTheCellsThatRemain)
+{
+  this->onEach(
+    [](const Cloud& sites, const Triangulation& triangulation, const std::vector<Cell>&,
+      std::uint64_t seed)
+    {
+      Random random(seed);
+      const std::vector<std::uint8_t> inside =
+        someOf(triangulation.cellCount(), random.integer(1, 5), random);
+      const Cloud places = placesAmong(sites, sites.size() > 100 ? 4 : 8, random);
+      const std::vector<double> values = randomValues(sites, seed);
+      const TriangulationQueries queries(
+        viewOf(sites), weightsOf(sites), triangulation, inside.data());
+      expectLocated(queries, sites, cellsOf(cellsThatRemain(triangulation, inside)),
+        triangulation.dimension, places, values);
+      expectThoseOfTheWhole(queries,
+        TriangulationQueries(viewOf(sites), weightsOf(sites), triangulation), places, values);
     });
 }
 
@@ -276,9 +346,7 @@ void expectResults(const ConstrainedInput& input, int keep, std::uint64_t seed)
       one = keep > 0 && random.integer(1, keep) == 1 ? 0 : one;
     }
     const TriangulationQueries queries(viewOf(input.cloud), whole, keep ? inside.data() : nullptr);
-    CellComplex rest;
-    copyCells(whole, rest);
-    keepCells(rest, inside.data());
+    const CellComplex rest = cellsThatRemain(whole, inside);
     expectLocated(queries, input.cloud, cellsOf(rest), whole.dimension, places,
       randomValues(input.cloud, seed));
     EXPECT_EQ(ringsFault(cellBoundary(rest), rest), "");
