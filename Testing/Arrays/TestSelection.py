@@ -74,7 +74,7 @@ class TestSelections(unittest.TestCase):
         for method in ("linear", "clough-tocher") if hasattr(whole, "fixed_edges") else METHODS:
             ours = some.interpolate(values, POSITIONS, method, fill_value=-7)
             theirs = whole.interpolate(values, POSITIONS, method)
-            np.testing.assert_allclose(ours, np.where(found < 0, -7, theirs), rtol=1e-13)
+            np.testing.assert_array_equal(ours, np.where(found < 0, -7, theirs))
             both = some.interpolate(np.column_stack([values, -values]), POSITIONS[:9], method)
             np.testing.assert_array_equal(both[:, 0], np.where(found[:9] < 0, np.nan, ours[:9]))
             np.testing.assert_array_equal(both[:, 1], -both[:, 0])
@@ -131,12 +131,38 @@ class TestSelections(unittest.TestCase):
             np.testing.assert_array_equal(every.locate(POSITIONS), whole.locate(POSITIONS))
             np.testing.assert_array_equal(every.simplices, whole.simplices)
             self.assertEqual(every.__geo_interface__["coordinates"], [])
-        whole = regular_triangulation(line, [0, 0.5, 0, 0])
-        some = whole.with_cells(whole.within_edge_length(1))
-        np.testing.assert_array_equal(some.simplices, [[0, 1], [2, 3]])
-        for query in (some.locate, lambda at: some.interpolate(line[:, 0], at)):
-            with self.assertRaisesRegex(InputError, "all points are on a line: queries leave out triangles"):
-                query([[2, 0]])
+        none = regular_triangulation(line[:1]).with_cells([False])
+        self.assertEqual((none.nsimplex, none.locate(line[0])), (0, -1))
+        for method in METHODS:
+            self.assertTrue(np.isnan(none.interpolate([1.0], line[0], method)))
+
+    def test_segments_of_a_line(self):
+        along = np.array([4, 0, 1, 3, 8])
+        weights = [0, 0.5, 0, 0, 0.25]
+        halves = np.arange(-2, 20) / 2
+        for step in ([1, 0], [1, 2], [0, -3]):
+            points, positions = np.outer(along, step), np.outer(halves, step)
+            for whole in (
+                regular_triangulation(points),
+                regular_triangulation(points, weights, facets="polygons"),
+                regular_triangulation(points, constraints=[[1, 0]]),
+            ):
+                methods = ("linear", "clough-tocher") if hasattr(whole, "fixed_edges") else METHODS
+                self.assertEqual((whole.dimension, whole.nsimplex), (1, 4))
+                for number in range(2**whole.nsimplex):
+                    within = number >> np.arange(whole.nsimplex) & 1 > 0
+                    some = whole.with_cells(within)
+                    ends = np.sort(along[some.simplices], axis=1)
+                    holding = [[i for i, (a, b) in enumerate(ends) if a <= at <= b] for at in halves]
+                    rows = np.array([min(found, default=-1) for found in holding])
+                    np.testing.assert_array_equal(some.locate(positions), rows)
+                    for method in methods:
+                        values = np.where(rows < 0, -7, 3 * halves - 1)
+                        ours = some.interpolate(3.0 * along - 1, positions, method, fill_value=-7)
+                        np.testing.assert_allclose(ours, values, rtol=1e-14)
+                    image = some.to_image(VALUES[:5], shape=(3, 9), bounds=(-1, 8, -9, 9), method=method)
+                    pixels = np.stack(np.meshgrid(image.x, image.y), axis=-1)
+                    np.testing.assert_array_equal(image.array, some.interpolate(VALUES[:5], pixels, method))
 
     def test_what_within_may_be(self):
         whole = regular_triangulation(POINTS)
@@ -157,6 +183,8 @@ class TestSelections(unittest.TestCase):
         with self.assertRaisesRegex(InputError, "natural neighbours are those of a regular triangulation"):
             constrained = regular_triangulation(POINTS, constraints=[])
             constrained.with_cells(constrained.within_edge_length(3)).to_image(VALUES, spacing=3, method="natural")
+        with self.assertRaisesRegex(InputError, "natural neighbours are those of a regular triangulation"):
+            constrained.with_cells(constrained.within_edge_length(3)).interpolate(VALUES, POSITIONS, "laplace")
 
 
 def doubled_area_of(ring):

@@ -6,7 +6,6 @@
 #include "Calls.h"
 #include "Constrained.h"
 #include "Results.h"
-#include "Sites.h"
 #include "State.h"
 #include "Views.h"
 
@@ -123,52 +122,6 @@ Constrained constrained(const InputArray& points, const EndsArray& ends, std::in
         }
       }
       return made;
-    });
-}
-
-/// Which cells of the whole are inside; both are in one order.
-Buffer<std::uint8_t> insideOf(const CellComplex& whole, const CellComplex& inside)
-{
-  Buffer<std::uint8_t> mask(static_cast<std::size_t>(whole.cellCount()));
-  std::int64_t next = 0;
-  for (std::int64_t c = 0; c < whole.cellCount(); ++c)
-  {
-    const auto corners = [](const CellComplex& cells, std::int64_t cell)
-    { return cells.connectivity.begin() + cells.cellBegin(cell); };
-    const bool same = next < inside.cellCount() &&
-      std::equal(
-        corners(whole, c), corners(whole, c + 1), corners(inside, next), corners(inside, next + 1));
-    mask[static_cast<std::size_t>(c)] = same ? 1 : 0;
-    next += same ? 1 : 0;
-  }
-  if (next != inside.cellCount())
-  {
-    throw nb::value_error("the cells inside are not of the whole");
-  }
-  return mask;
-}
-
-/// Questions to what is inside, whose cells are numbered as triangles.
-Sites constrainedSites(
-  const InputArray& points, const Constrained& triangulation, const Settings& settings)
-{
-  const PointView sites = pointView(points, 2);
-  const bool areTriangles =
-    triangulation.whole->dimension < 2 || triangulation.whole->cellSize == 3;
-  std::shared_ptr<const ConstrainedTriangulation> whole = triangulation.whole;
-  Handle<Triangulation> inside = triangulation.inside;
-  if (!areTriangles)
-  {
-    auto fans = std::make_shared<ConstrainedTriangulation>(fansOf(*whole));
-    fans->fixedEdges = copyOf(whole->fixedEdges);
-    whole = std::move(fans);
-    inside = handleOf(fansOf(*inside.result));
-  }
-  return settings.run(
-    [&](const Options& options)
-    {
-      const Buffer<std::uint8_t> mask = insideOf(*whole, *inside.result);
-      return Sites{ TriangulationQueries(sites, *whole, mask.data(), options), sites.count };
     });
 }
 
@@ -397,7 +350,6 @@ void bindComplexes(nb::module_& module)
     .def("__setstate__",
       [](Constrained& self, const std::tuple<State, std::optional<State>>& state)
       { new (&self) Constrained(restoredConstrained(state)); });
-  module.def("constrained_queries", &constrainedSites);
   module.def("constrained_triangulation", &constrained, "points"_a, "ends"_a, "sides"_a,
     "by_direction"_a, "features"_a.none(), "settings"_a);
   module.def("constraints_along", &constraintsAlong);

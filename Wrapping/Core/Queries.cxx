@@ -3,8 +3,8 @@
 /// @file
 /// Queries of results, at positions.
 #include "Calls.h"
+#include "Constrained.h"
 #include "Results.h"
-#include "Sites.h"
 #include "State.h"
 #include "Views.h"
 
@@ -12,6 +12,7 @@
 #include <flipflop/EdgeLengths.h>
 #include <flipflop/HullQueries.h>
 #include <flipflop/Measures.h>
+#include <flipflop/TriangulationQueries.h>
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
@@ -24,6 +25,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -37,6 +39,13 @@ namespace flipflop
 
 namespace
 {
+
+/// Questions to a triangulation, which knows how many points it was given.
+struct Sites
+{
+  TriangulationQueries queries;
+  std::int64_t points;
+};
 
 using Values =
   nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>; ///< a row for each point
@@ -166,16 +175,69 @@ auto gradientsOf(const Sites& self, const Values& values, const Settings& settin
   return arrayOf(std::move(found), { values.shape(0), components, 2 });
 }
 
+/// Which cells of the whole are inside; both are in one order.
+Buffer<std::uint8_t> insideOf(const CellComplex& whole, const CellComplex& inside)
+{
+  Buffer<std::uint8_t> mask(static_cast<std::size_t>(whole.cellCount()));
+  std::int64_t next = 0;
+  for (std::int64_t c = 0; c < whole.cellCount(); ++c)
+  {
+    const auto corners = [](const CellComplex& cells, std::int64_t cell)
+    { return cells.connectivity.begin() + cells.cellBegin(cell); };
+    const bool same = next < inside.cellCount() &&
+      std::equal(
+        corners(whole, c), corners(whole, c + 1), corners(inside, next), corners(inside, next + 1));
+    mask[static_cast<std::size_t>(c)] = same ? 1 : 0;
+    next += same ? 1 : 0;
+  }
+  if (next != inside.cellCount())
+  {
+    throw nb::value_error("the cells inside are not of the whole");
+  }
+  return mask;
+}
+
+/// @param cells some of the triangulation's, in their order; none: all of them
 Sites sitesOf(const InputArray& points, const std::optional<InputArray>& weights,
-  const Handle<Triangulation>& triangulation, const Settings& settings)
+  const Handle<Triangulation>& triangulation, const Settings& settings,
+  const std::optional<Handle<Triangulation>>& cells)
 {
   const PointView positions = pointView(points, 2);
   const WeightView weighted = weightView(weights);
+  const Triangulation& whole = *triangulation.result;
   return settings.run(
     [&](const Options& options)
     {
-      return Sites{ TriangulationQueries(positions, weighted, *triangulation.result, options),
+      const Buffer<std::uint8_t> mask =
+        cells ? insideOf(whole, *cells->result) : Buffer<std::uint8_t>();
+      return Sites{ TriangulationQueries(
+                      positions, weighted, whole, cells ? mask.data() : nullptr, options),
         positions.count };
+    });
+}
+
+/// Questions to what is inside, whose cells are numbered as triangles.
+/// @param cells some of these triangles, in their order; none: all of them
+Sites constrainedSites(const InputArray& points, const Constrained& triangulation,
+  const Settings& settings, const std::optional<Handle<Triangulation>>& cells)
+{
+  const PointView sites = pointView(points, 2);
+  const bool areTriangles =
+    triangulation.whole->dimension < 2 || triangulation.whole->cellSize == 3;
+  std::shared_ptr<const ConstrainedTriangulation> whole = triangulation.whole;
+  Handle<Triangulation> inside = cells ? *cells : triangulation.inside;
+  if (!areTriangles)
+  {
+    auto fans = std::make_shared<ConstrainedTriangulation>(fansOf(*whole));
+    fans->fixedEdges = copyOf(whole->fixedEdges);
+    whole = std::move(fans);
+    inside = cells ? inside : handleOf(fansOf(*inside.result));
+  }
+  return settings.run(
+    [&](const Options& options)
+    {
+      const Buffer<std::uint8_t> mask = insideOf(*whole, *inside.result);
+      return Sites{ TriangulationQueries(sites, *whole, mask.data(), options), sites.count };
     });
 }
 
@@ -336,7 +398,9 @@ void bindQueries(nb::module_& module)
       "method"_a, "values"_a, "grid"_a, "rows"_a, "columns"_a, "fill"_a, "single"_a, "settings"_a,
       "first"_a = std::array<std::int64_t, 2>{});
   module.def("triangulation_queries", &sitesOf, "points"_a, "weights"_a.none(), "triangulation"_a,
-    "settings"_a);
+    "settings"_a, "cells"_a.none() = nb::none());
+  module.def("constrained_queries", &constrainedSites, "points"_a, "triangulation"_a, "settings"_a,
+    "cells"_a.none() = nb::none());
 
   module.def("triangle_measures",
     [](const InputArray& points, const Handle<Triangulation>& triangulation)

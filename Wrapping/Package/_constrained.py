@@ -17,7 +17,6 @@ from ._geometries import multi_line
 from ._image import Method
 from ._queries import Lengths, changed, finite, unchanged
 from ._results import QUIET, Ids, NonFinite, Polygons, Progress, Validation, run
-from ._selection import queries_of_some
 from ._triangulation import RegularTriangulation
 
 
@@ -155,13 +154,9 @@ class ConstrainedTriangulation(RegularTriangulation):
             f"cells, {self.dropped} dropped, {len(self.fixed_edges)} fixed edges>"
         )
 
-    @cached_property
-    def _queries(self) -> Any:
-        with unchanged():
-            return _core.constrained_queries(self._sites, self._whole, QUIET)
-
     def _queries_of(self, cells: Any) -> Any:
-        return queries_of_some(self._sites, self._whole.__getstate__()[0], cells, QUIET)
+        with unchanged():
+            return _core.constrained_queries(self._sites, self._whole, QUIET, cells)
 
 
 def constrained_triangulation(

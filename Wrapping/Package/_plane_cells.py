@@ -268,9 +268,8 @@ class LocatedCells(PlanarCells):
 
     @cached_property
     def _queries(self) -> Any:
-        """The engine's."""
-        raise NotImplementedError
+        return self._queries_of(None)
 
     def _queries_of(self, cells: Any) -> Any:
-        """The engine's to some of its triangles, as these are in `_triangles`."""
+        """The engine's: to some of `_triangles` in their order, or, of None, to all."""
         raise NotImplementedError

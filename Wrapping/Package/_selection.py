@@ -8,25 +8,19 @@ from functools import cached_property
 from typing import Any, ClassVar, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike, NDArray
+from numpy.typing import NDArray
 
 from . import _core
-from ._errors import InputError
-from ._image import Grid, Image, Method
 from ._plane_cells import LocatedCells
-from ._queries import Lengths, unchanged
-from ._results import Floats, Ids, NonFinite, Progress, frozen
-
-_OF_WHOLE = ("natural", "laplace")
+from ._results import Ids, frozen
 
 
 class CellSelection(LocatedCells):
     """Some of a triangulation's `simplices`, and queries of these alone. Ids stay those of its points.
 
     locate() has rows of these `simplices`; what none of them holds is outside. Where a cell that stays and one that
-    does not have a border in common, that border is inside. Values are those of the triangulation: natural neighbours
-    and gradients are found among all its points. There is no nearest(): take the triangulation's. Where all points are
-    on a line, queries of some segments alone are an InputError.
+    does not have a border in common, that border is inside. Values are those of the triangulation, bit for bit:
+    natural neighbours and gradients are found among all its points. There is no nearest(): take the triangulation's.
 
     Attributes
     ----------
@@ -55,51 +49,8 @@ class CellSelection(LocatedCells):
         """Ids of the points that the cells have, ascending."""
         return frozen(np.unique(self.simplices))
 
-    def interpolate(
-        self,
-        values: ArrayLike,
-        points: ArrayLike,
-        method: Method = "linear",
-        *,
-        fill_value: float = np.nan,
-        threads: int = 0,
-        non_finite: NonFinite = "error",
-        progress: Progress = None,
-    ) -> Lengths:
-        """Values of the triangulation where one of these cells is, bit for bit; as RegularTriangulation has it."""
-        if method not in _OF_WHOLE:
-            return super().interpolate(
-                values, points, method, fill_value=fill_value, threads=threads, non_finite=non_finite, progress=progress
-            )
-        found = self.triangulation.interpolate(
-            values, points, method, fill_value=fill_value, threads=threads, non_finite=non_finite, progress=progress
-        )
-        is_outside = np.less(self.locate(points, threads=threads, non_finite=non_finite), 0)
-        axes = tuple(range(is_outside.ndim, found.ndim))
-        chosen: Lengths = np.where(np.expand_dims(is_outside, axes), fill_value, found)[()]
-        return chosen
-
     def __repr__(self) -> str:
         return f"<CellSelection: {self.nsimplex} of {len(self.within)} simplices>"
-
-    def _image_on(
-        self,
-        grid: Grid,
-        values: ArrayLike,
-        method: str,
-        fill: float,
-        dtype: DTypeLike | None,
-        threads: int,
-        progress: Progress,
-    ) -> Image:
-        if method not in _OF_WHOLE:
-            return super()._image_on(grid, values, method, fill, dtype, threads, progress)
-        found = self.triangulation._image_on(grid, values, method, fill, dtype, threads, progress)
-        ones: Floats = np.ones(self.npoints)
-        is_outside = np.isnan(super()._image_on(grid, ones, "linear", np.nan, None, threads, None).array)
-        axes = tuple(range(2, found.array.ndim))
-        array = np.where(np.expand_dims(is_outside, axes), found.array.dtype.type(fill), found.array)
-        return found._replace(array=frozen(array))
 
     @property
     def _sites(self) -> NDArray[Any]:
@@ -107,34 +58,7 @@ class CellSelection(LocatedCells):
 
     @cached_property
     def _queries(self) -> Any:
-        if self.within.all():
-            return self.triangulation._queries
-        if self.dimension < 2:
-            raise InputError("all points are on a line: queries leave out triangles, and no segments", "bad_argument")
-        return self._queries_of(self._core)
+        return self.triangulation._queries if self.within.all() else self._queries_of(self._core)
 
     def _queries_of(self, cells: Any) -> Any:
         return self.triangulation._queries_of(cells)
-
-
-def queries_of_some(sites: NDArray[Any], whole: Any, cells: Any, settings: Any) -> Any:
-    """The engine's queries to some cells of what is triangulated, in their order.
-
-    whole: the state of the engine's constrained triangulation
-    """
-    both = _core.ConstrainedTriangulation.__new__(_core.ConstrainedTriangulation)
-    both.__setstate__((whole, cells.__getstate__()))
-    with unchanged():
-        return _core.constrained_queries(sites, both, settings)
-
-
-def fixed(state: Any, edges: Ids) -> Any:
-    """The state of the engine's triangulation as that of a constrained one with these edges, rows of points."""
-    sizes, numbers, figures = state
-    zeros = np.zeros(3 * len(edges), np.int64)  # the constraint of each edge, its balance and its sides
-    counts = [edges.size, len(edges), len(edges), len(edges)]
-    return (
-        np.concatenate([sizes, counts]),
-        np.concatenate([numbers, edges.reshape(-1), zeros]),
-        np.concatenate([[0.0], figures]),
-    )

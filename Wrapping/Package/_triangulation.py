@@ -38,7 +38,6 @@ from ._results import (
     run,
     settings,
 )
-from ._selection import fixed, queries_of_some
 
 if TYPE_CHECKING:
     from ._constrained import ConstrainedTriangulation
@@ -221,15 +220,9 @@ class RegularTriangulation(LocatedCells):
             raise changed()
         return core, points, weights, ids
 
-    @cached_property
-    def _queries(self) -> Any:
-        with unchanged():
-            return _core.triangulation_queries(self.points, self.weights, self._triangles, QUIET)
-
     def _queries_of(self, cells: Any) -> Any:
-        # Edges that are fixed need not be Delaunay: so those of weighted points are.
-        edges = np.empty((0, 2), np.int64) if self.weights is None else np.searchsorted(self.vertices, self.edges)
-        return queries_of_some(self.points, fixed(self._triangles.__getstate__(), edges), cells, QUIET)
+        with unchanged():
+            return _core.triangulation_queries(self.points, self.weights, self._triangles, QUIET, cells)
 
 
 @overload
