@@ -14,7 +14,7 @@ from . import _core
 from . import _vtkmodules as vtk
 from ._meshes import Cloud, set_cells
 from ._projection import Projection
-from ._results import Floats, Ids
+from ._results import Floats, Ids, distinct
 
 
 @dataclass
@@ -100,7 +100,7 @@ class PlaneCells:
     def boundary(self, pass_data: bool) -> Any:
         """The border of the cells: closed polylines of the points that are there."""
         offsets, ids = _core.cell_boundary(self.core, self._settings)
-        rows = np.unique(ids)
+        rows = distinct(ids)
         made = self._cloud.mesh(self._cloud.ids(rows), pass_data)
         closed = np.insert(ids, offsets[1:], ids[offsets[:-1]])
         set_cells(made, 1, 0, offsets + np.arange(len(offsets)), np.searchsorted(rows, closed))

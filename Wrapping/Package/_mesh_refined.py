@@ -15,7 +15,7 @@ from ._mesh_joined import JoinedPoints, Part
 from ._mesh_source import Source, rows_of_points
 from ._meshes import Cloud, block_of, set_cells
 from ._refine import sums_of
-from ._results import Floats, Ids
+from ._results import Floats, Ids, distinct
 
 ANYWHERE = (0.0, 0.0, 1.0, 1.0)  # where pixels are, of which there are none
 
@@ -59,7 +59,7 @@ class Refined(JoinedPoints):
         """The triangles, and the edges of these that constraints run along."""
         found, cloud = self._found, self._with_new_points()
         triangles, regions = found["simplices"], found["region_of"]
-        rows = np.unique(triangles)
+        rows = distinct(triangles)
         made = cloud.mesh(cloud.ids(rows), pass_point_data)
         set_cells(made, 2, 3, None, np.searchsorted(rows, triangles.ravel()))
         data = made.GetCellData()

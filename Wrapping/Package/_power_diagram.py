@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from . import _core
-from ._results import Floats, Frozen, Ids, Polygons, frozen
+from ._results import Floats, Frozen, Ids, Polygons, distinct, frozen
 from ._rings import Sides, sides_of
 
 
@@ -90,7 +90,7 @@ class PowerDiagram(Frozen):
         """
         count = len(self.sites)
         cells = np.searchsorted(self.sites, self.ridge_points)
-        keys = np.unique(np.concatenate([cells @ [count, 1], cells @ [1, count]]))
+        keys = distinct(np.concatenate([cells @ [count, 1], cells @ [1, count]]))
         rows, others = keys // max(count, 1), keys % max(count, 1)
         return frozen(np.concatenate([[0], np.cumsum(np.bincount(rows, minlength=count))])), frozen(others)
 

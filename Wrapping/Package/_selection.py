@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._plane_cells import LocatedCells
-from ._results import Ids, frozen
+from ._results import Ids, distinct, frozen
 
 
 class CellSelection(LocatedCells):
@@ -47,7 +47,7 @@ class CellSelection(LocatedCells):
     @cached_property
     def vertices(self) -> Ids:
         """Ids of the points that the cells have, ascending."""
-        return frozen(np.unique(self.simplices))
+        return frozen(distinct(self.simplices))
 
     def __repr__(self) -> str:
         return f"<CellSelection: {self.nsimplex} of {len(self.within)} simplices>"
