@@ -208,12 +208,6 @@ SiteShares withIds(const PreparedTriangulation& prepared, std::vector<PlaneShare
 }
 
 TriangulationQueries::TriangulationQueries(const PointView& points, const WeightView& weights,
-  const Triangulation& triangulation, const Options& options)
-  : TriangulationQueries(points, weights, triangulation, nullptr, options)
-{
-}
-
-TriangulationQueries::TriangulationQueries(const PointView& points, const WeightView& weights,
   const Triangulation& triangulation, const std::uint8_t* inside, const Options& options)
   : prepared(engineCall(
       [&]

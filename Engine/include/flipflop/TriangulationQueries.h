@@ -97,7 +97,10 @@ public:
   ///                        is not regular, a border that is not convex. Whether the hidden points
   ///                        should be hidden is not checked.
   TriangulationQueries(const PointView& points, const WeightView& weights,
-    const Triangulation& triangulation, const Options& options = Options());
+    const Triangulation& triangulation, const Options& options = Options())
+    : TriangulationQueries(points, weights, triangulation, nullptr, options)
+  {
+  }
 
   /// Of some cells of a regular triangulation. A position that only the others hold is outside: it
   /// has no cell, value or share. A border that a cell inside and one of the others have in common

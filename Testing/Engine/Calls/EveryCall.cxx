@@ -193,7 +193,7 @@ void addRuns(Table& table, const CallInputs& given)
     });
   // Borders that touch a sphere about the origin, or are far from it.
   table.add("halfSpaceIntersection", body, false, false, refused,
-    [](Points points, Weights, const Options& options)
+    [unit = given.unit](Points points, Weights, const Options& options)
     {
       requireValid(points, 3);
       const PointSource source(points);
@@ -201,7 +201,7 @@ void addRuns(Table& table, const CallInputs& given)
       for (std::uint32_t id = 0; id < source.count(); ++id)
       {
         const Vertex v = source.vertex(id);
-        rows.insert(rows.end(), { v.x[0], v.x[1], v.x[2], -1 });
+        rows.insert(rows.end(), { v.x[0], v.x[1], v.x[2], -unit });
       }
       return bitsOf(halfSpaceIntersection({ rows.data(), points.count, 3 }, nullptr, options));
     });
