@@ -74,7 +74,9 @@ class TestHulls(unittest.TestCase):
         for wrong, error, sentence in (
             (SQUARE[:2], spatial.QhullError, "all points are on a line: 2 points span less than 2"),
             (np.column_stack([SQUARE, SQUARE[:, 0]]), spatial.QhullError, "all points are in one plane"),
-            (np.empty((0, 2)), spatial.QhullError, "there is no point"),
+            (SQUARE[:0], ValueError, "No points given"),
+            (SQUARE[[0, 2, 0]], spatial.QhullError, "QH6154 Qhull precision error: Initial simplex is flat"),
+            (SQUARE[[1, 1, 1]], spatial.QhullError, "all points are at one position: 3 points"),
             ([1, 2, 3], ValueError, "an array of 2 dimensions, not 1"),
             ([[1], [2]], ValueError, "Need at least 2-D data"),
             ([[0, np.nan]], ValueError, "cannot contain NaN"),
@@ -85,7 +87,9 @@ class TestHulls(unittest.TestCase):
             with self.subTest(sentence), self.assertRaisesRegex(error, sentence):
                 spatial.ConvexHull(wrong)
         with self.assertRaisesRegex(NotImplementedError, "choose facets"):
-            spatial.ConvexHull(SQUARE, qhull_options="QG4")
+            spatial.Delaunay(SQUARE, qhull_options="QG3")
+        with self.assertRaisesRegex(TypeError, "not complex"):
+            spatial.ConvexHull(SQUARE * 1j)
         with self.assertWarnsRegex(UserWarning, "'Qx Qt' mean nothing here"):
             spatial.ConvexHull(SQUARE, qhull_options="Qx Qt")
         with warnings.catch_warnings():

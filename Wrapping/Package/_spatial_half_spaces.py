@@ -5,13 +5,13 @@
 from __future__ import annotations
 
 from functools import cached_property
-from importlib import import_module
 from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._errors import InputError
+from ._fallback import WithFallback
 from ._half_spaces import HalfSpaceIntersection as Found
 from ._half_spaces import half_space_intersection, sizes_of
 from ._input import doubles_of
@@ -21,7 +21,7 @@ from ._results import Polygons
 Rows = NDArray[np.float64]
 
 
-class HalfspaceIntersection:
+class HalfspaceIntersection(WithFallback):
     """The intersection of half-spaces of the plane or of space, as scipy.spatial.HalfspaceIntersection.
 
     Attributes
@@ -46,16 +46,11 @@ class HalfspaceIntersection:
         the interior point is not strictly inside, or the intersection is unbounded
     """
 
-    def __new__(
-        cls, halfspaces: ArrayLike, interior_point: ArrayLike, *arguments: Any, fallback: bool = False, **settings: Any
-    ) -> Any:
-        """With fallback, scipy's own object in more dimensions."""
+    @classmethod
+    def _why_not(cls, halfspaces: Any, *arguments: Any, **settings: Any) -> str:
         if np.ndim(halfspaces) != 2 or np.shape(halfspaces)[1] in (3, 4):
-            return super().__new__(cls)
-        if not fallback:
-            sentence = f"half-spaces are n by 3 or n by 4 here, not n by {np.shape(halfspaces)[1]}"
-            raise NotImplementedError(f"{sentence}: take scipy.spatial.{cls.__name__}, or pass fallback=True")
-        return getattr(import_module("scipy.spatial"), cls.__name__)(halfspaces, interior_point, *arguments, **settings)
+            return ""
+        return f"half-spaces are n by 3 or n by 4 here, not n by {np.shape(halfspaces)[1]}"
 
     def __init__(
         self,
@@ -66,6 +61,7 @@ class HalfspaceIntersection:
         *,
         fallback: bool = False,
     ) -> None:
+        self._check(halfspaces)
         say_unused(qhull_options)
         rows, point = _rows_of(halfspaces), np.array(doubles_of(interior_point, "the numbers of interior_point"))
         if point.shape != (rows.shape[1] - 1,):

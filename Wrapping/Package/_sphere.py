@@ -4,13 +4,13 @@
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._errors import InputError
+from ._fallback import WithFallback
 from ._input import doubles_of
 from ._rings import lists_of
 from ._spherical import spherical_triangulation
@@ -18,7 +18,7 @@ from ._spherical import spherical_triangulation
 Rows = NDArray[np.float64]
 
 
-class SphericalVoronoi:
+class SphericalVoronoi(WithFallback):
     """The Voronoi diagram of points on a sphere, as scipy.spatial.SphericalVoronoi.
 
     Which cells meet is that of the points as they are given, exactly; positions and areas are rounded.
@@ -49,14 +49,9 @@ class SphericalVoronoi:
         as scipy's: generators that are duplicates, off the sphere, or all in one plane
     """
 
-    def __new__(cls, points: ArrayLike, *arguments: Any, fallback: bool = False, **settings: Any) -> Any:
-        """With fallback, scipy's own object of a circle, or of a sphere in more dimensions."""
-        if np.ndim(points) == 2 and np.shape(points)[1] == 3:
-            return super().__new__(cls)
-        if not fallback:
-            sentence = "points are n by 3 here: of others, take scipy.spatial.SphericalVoronoi, or pass fallback=True"
-            raise NotImplementedError(sentence)
-        return import_module("scipy.spatial").SphericalVoronoi(points, *arguments, **settings)
+    @classmethod
+    def _why_not(cls, points: Any, *arguments: Any, **settings: Any) -> str:
+        return "" if np.ndim(points) == 2 and np.shape(points)[1] == 3 else "points are n by 3 here"
 
     def __init__(
         self,
@@ -67,6 +62,7 @@ class SphericalVoronoi:
         *,
         fallback: bool = False,
     ) -> None:
+        self._check(points)
         if radius is None:
             raise ValueError("`radius` is `None`. Please provide a floating point number (i.e. `radius=1`).")
         self.points, self.radius = np.array(doubles_of(points, "points")), float(radius)

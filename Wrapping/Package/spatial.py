@@ -10,22 +10,24 @@ Arrays belong to the caller: ids are int32, and may be written to. What differs 
 - Every decision is exact, so nothing is joggled or merged; a QhullError means that the points span less, exactly.
 - Hulls are of points in the plane or in space, triangulations and diagrams of points in the plane. Others are a
   NotImplementedError, or scipy's own with fallback=True.
-- qhull_options are accepted, and mean nothing: a warning says so once. "QG" and "QV", and lower
-  dimensions, are scipy's alone.
+- qhull_options are accepted, and mean nothing: a warning says so once. "QG" is scipy's
+  alone.
 - Points on a facet or at another's position are no vertices.
+- Objects can be pickled and copied, also those that points can be added to.
+- Subclasses have no fallback.
 """
 
 from __future__ import annotations
 
 import re
 from functools import cached_property
-from importlib import import_module
 from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._edit import EditableTriangulation
+from ._fallback import WithFallback
 from ._furthest_site import FurthestSiteTriangulation, furthest_site_triangulation
 from ._hull import convex_hull
 from ._input import is_array_like
@@ -66,38 +68,32 @@ Rows = NDArray[np.float64]
 Ints = NDArray[np.int32]
 
 
-class _Incremental:
+class _Incremental(WithFallback):
     """Points to which others can be added, and what is made of them, when it is first used."""
 
     _dimensions: tuple[int, ...]
     points: Rows
 
-    def __new__(cls, points: ArrayLike, *arguments: Any, fallback: bool = False, **settings: Any) -> Any:
-        """With fallback, scipy's own object where this class has none."""
-        rows = _rows_of(points)
-        why_not = cls._why_not(rows, *arguments, **settings)
-        if why_not and not fallback:
-            raise NotImplementedError(f"{why_not}: take scipy.spatial.{cls.__name__}, or pass fallback=True")
-        if why_not:
-            return getattr(import_module("scipy.spatial"), cls.__name__)(points, *arguments, **settings)
-        return super().__new__(cls)
-
     @classmethod
-    def _why_not(cls, rows: Rows, *arguments: Any, **settings: Any) -> str:
+    def _why_not(cls, points: Any, *arguments: Any, **settings: Any) -> str:
         options = str(settings.get("qhull_options") or next((a for a in arguments if isinstance(a, str)), ""))
-        if re.search(r"\bQ[GV]", options):
+        if re.search(r"\bQG", options):
             return f"qhull_options {options!r} choose facets"
-        if rows.shape[1] not in cls._dimensions:
-            wanted = " or ".join(map(str, cls._dimensions))
-            return f"points have {wanted} coordinates here, not {rows.shape[1]}"
+        columns = np.shape(points)[1:2]
+        if columns > (1,) and columns[0] not in cls._dimensions:
+            return f"points have {' or '.join(map(str, cls._dimensions))} coordinates here, not {columns[0]}"
         return ""
 
     def __init__(
         self, points: ArrayLike, incremental: bool = False, qhull_options: str | None = None, *, fallback: bool = False
     ) -> None:
+        rows = _rows_of(points)
+        if not len(rows):
+            raise ValueError("No points given")
+        self._check(rows, qhull_options=qhull_options)
         say_unused(qhull_options)
         self._incremental, self._is_open, self._options = bool(incremental), True, qhull_options
-        self._take(_rows_of(points))
+        self._take(rows)
 
     def _take(self, rows: Rows) -> None:
         raise NotImplementedError
@@ -223,6 +219,7 @@ class _OfPlane(_Incremental):
     """What is made of a Delaunay triangulation."""
 
     _dimensions = (2,)
+
     def __init__(
         self,
         points: ArrayLike,
@@ -276,6 +273,10 @@ class Delaunay(_OfPlane):
 
     paraboloid_scale, paraboloid_shift = 1.0, 0.0
     _edited: EditableTriangulation | None = None  # once points were added
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Without what other copies must not share."""
+        return {**self.__dict__, "_edited": None}
 
     def _take(self, rows: Rows) -> None:
         super()._take(rows)
@@ -490,6 +491,8 @@ def _rows_of(points: Any) -> Rows:
         raise ValueError("Input points cannot be a masked array")
     if not is_array_like(points):
         raise TypeError(f"points are an array of n by 2 or n by 3 numbers, not {points!r}")
+    if np.iscomplexobj(points):
+        raise TypeError("points are real numbers, not complex ones")
     rows = np.array(points, np.float64, order="C")
     if rows.ndim != 2:
         raise ValueError(f"points are rows of numbers: an array of 2 dimensions, not {rows.ndim}")
@@ -503,5 +506,7 @@ def _rows_of(points: Any) -> Rows:
 
 
 def _flat(dimension: int, space: int, count: int) -> str:
-    what = {-1: "there is no point", 0: "all points are at one position", 1: "all points are on a line"}
-    return f"{what.get(dimension, 'all points are in one plane')}: {count} points span less than {space} dimensions"
+    what = {-1: "there is no other point", 0: "all points are at one position", 1: "all points are on a line"}
+    found = what.get(dimension, "all points are in one plane")
+    in_qhulls_words = "QH6154 Qhull precision error: Initial simplex is flat"  # that programs look for
+    return f"{found}: {count} points span less than {space} dimensions ({in_qhulls_words})"
