@@ -96,6 +96,53 @@ class TestHulls(unittest.TestCase):
             warnings.simplefilter("error")
             spatial.ConvexHull(SQUARE, qhull_options="Qx Qt")
 
+    def test_good(self):
+        """Facets that a point sees, and the hull without it."""
+        for seed in range(60):
+            random = np.random.default_rng(seed)
+            dimension, scale = 2 + seed % 2, random.choice([1.0, 0.1, 1e-160, 2.0**300])
+            points = random.integers(0, 6, (12, dimension)) * scale
+            points[7] = points[7:9].mean(axis=0) if seed % 3 else points[7] * 1.7
+            try:
+                hull = spatial.ConvexHull(points, True, "QG7")
+            except spatial.QhullError:
+                continue
+            other = spatial.ConvexHull(np.delete(points, 7, axis=0))
+            np.testing.assert_array_equal(hull.points[hull.simplices], other.points[other.simplices])
+            self.assertEqual(hull.good.tolist(), [side > 0 for side in _sides(points, hull.simplices, points[7])])
+            hull.add_points(points[:2] * 2)
+            self.assertNotIn(7, hull.vertices)
+            self.assertEqual(hull.good.tolist(), [side > 0 for side in _sides(hull.points, hull.simplices, points[7])])
+            hidden = spatial.ConvexHull(hull.points, qhull_options="QG-7")
+            np.testing.assert_array_equal(hidden.good, ~hull.good)
+        self.assertIsNone(spatial.ConvexHull(SQUARE).good)
+        with self.assertRaisesRegex(spatial.QhullError, "'QG4' name a point that is not one of 4"):
+            spatial.ConvexHull(SQUARE, qhull_options="QG4")
+        with self.assertRaisesRegex(spatial.QhullError, "no other point"):
+            spatial.ConvexHull(SQUARE[:1], qhull_options="QG0")
+
+    def test_coplanar(self):
+        for dimension in (2, 3):
+            grid = np.stack(np.meshgrid(*[np.arange(4.0)] * dimension), -1).reshape(-1, dimension) * 0.1
+            points = np.concatenate([grid, grid[:3]])
+            hull = spatial.ConvexHull(points, qhull_options="Qc")
+            is_on = ((points == points.min(axis=0)) | (points == points.max(axis=0))).any(axis=1)
+            is_on[hull.vertices] = False
+            self.assertEqual(hull.coplanar[:, 0].tolist(), np.flatnonzero(is_on).tolist())
+            self.assertEqual(hull.coplanar.dtype, np.int32)
+            for i, facet, nearest in hull.coplanar:
+                sides = np.array(_sides(points, hull.simplices, points[i]))
+                self.assertEqual(sides[facet], 0)
+                self.assertIn(nearest, hull.simplices[facet])
+                lengths = np.linalg.norm(points[hull.simplices[sides == 0]] - points[i], axis=-1)
+                self.assertEqual(np.linalg.norm(points[nearest] - points[i]), lengths.min())
+            if HAS_SCIPY:
+                import scipy.spatial
+
+                wanted = scipy.spatial.ConvexHull(points, qhull_options="Qt Qc")
+                self.assertEqual(len(wanted.coplanar), len(hull.coplanar))
+            self.assertEqual(spatial.ConvexHull(points).coplanar.shape, (0, 3))
+
     @unittest.skipUnless(HAS_SCIPY, "scipy is not installed")
     def test_fallback(self):
         import scipy.spatial
@@ -374,6 +421,21 @@ class TestInterpolators(unittest.TestCase):
             spatial.NearestNDInterpolator(SQUARE, range(4))(np.zeros((2, 3)))
         with self.assertRaisesRegex(ValueError, "Unknown interpolation method 'spline'"):
             spatial.griddata(SQUARE, range(4), SQUARE, "spline")
+
+
+def _sides(points, simplices, at):
+    """For each facet on which side of its plane the position is: 1 outside; as determinants of fractions."""
+    found = []
+    for facet in points[simplices]:
+        arms = [[Fraction(x) - Fraction(y) for x, y in zip(corner, at)] for corner in facet.tolist()]
+        value = 0
+        for order in itertools.permutations(range(len(arms))):
+            term = (-1) ** sum(i > j for i, j in itertools.combinations(order, 2))
+            for row, column in enumerate(order):
+                term *= arms[row][column]
+            value -= term
+        found.append((value > 0) - (value < 0))
+    return found
 
 
 def _empty_circles(points):

@@ -10,8 +10,8 @@ Arrays belong to the caller: ids are int32, and may be written to. What differs 
 - Every decision is exact, so nothing is joggled or merged; a QhullError means that the points span less, exactly.
 - Hulls are of points in the plane or in space, triangulations and diagrams of points in the plane. Others are a
   NotImplementedError, or scipy's own with fallback=True.
-- qhull_options are accepted, and mean nothing: a warning says so once. "QG" is scipy's
-  alone.
+- qhull_options are accepted, and mean nothing: a warning says so once. Of hulls, "QGn", "QG-n" and "Qc" are heeded; of
+  triangulations and diagrams, "QG" is scipy's alone.
 - Points on a facet or at another's position are no vertices.
 - Objects can be pickled and copied, also those that points can be added to.
 - Subclasses have no fallback.
@@ -27,6 +27,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._edit import EditableTriangulation
+from ._facet_sides import sides_of_facets, touched_facets
 from ._fallback import WithFallback
 from ._furthest_site import FurthestSiteTriangulation, furthest_site_triangulation
 from ._hull import convex_hull
@@ -72,12 +73,14 @@ class _Incremental(WithFallback):
     """Points to which others can be added, and what is made of them, when it is first used."""
 
     _dimensions: tuple[int, ...]
+    # Patterns of options that mean something, and of those that are scipy's alone: none.
+    _heeded, _refused = r"(?!)", r"(?!)"
     points: Rows
 
     @classmethod
     def _why_not(cls, points: Any, *arguments: Any, **settings: Any) -> str:
         options = str(settings.get("qhull_options") or next((a for a in arguments if isinstance(a, str)), ""))
-        if re.search(r"\bQG", options):
+        if re.search(cls._refused, options):
             return f"qhull_options {options!r} choose facets"
         columns = np.shape(points)[1:2]
         if columns > (1,) and columns[0] not in cls._dimensions:
@@ -91,7 +94,7 @@ class _Incremental(WithFallback):
         if not len(rows):
             raise ValueError("No points given")
         self._check(rows, qhull_options=qhull_options)
-        say_unused(qhull_options)
+        say_unused(re.sub(self._heeded, "", qhull_options or "").strip())
         self._incremental, self._is_open, self._options = bool(incremental), True, qhull_options
         self._take(rows)
 
@@ -160,18 +163,25 @@ class ConvexHull(_Incremental):
         facets, in space as triangles counter-clockwise from outside; for each corner the facet opposite to it
     equations : ndarray of nsimplex by ndim + 1
         outward unit normals and offsets
-    coplanar : ndarray of 0 by 3
-    good : None
+    coplanar : ndarray of k by 3
+        with "Qc" in qhull_options, the points on the surface that are no vertices: its id, a facet whose plane it is
+        on, and the nearest of the corners of all these facets
+    good : ndarray of nsimplex bool, or None
+        with "QGn" in qhull_options, whether point n is beyond the facet's plane, exactly; with "QG-n", whether it is
+        not. Point n is left out of the hull.
     volume, area : float
         in the plane, area and perimeter
     """
 
     _dimensions = (2, 3)
-    coplanar: Ints = np.empty((0, 3), np.int32)
-    good = None
+    _heeded = r"\b(QG-?\d+|Qc)\b"
 
     def _take(self, rows: Rows, kept: NDArray[np.int64] | None = None) -> None:
         """kept: the hull is that of these rows"""
+        if kept is None and self._viewpoint is not None:
+            if abs(self._viewpoint) >= len(rows):
+                raise QhullError(f"qhull_options {self._options!r} name a point that is not one of {len(rows)}")
+            kept = np.delete(np.arange(len(rows)), abs(self._viewpoint))
         hull = convex_hull(rows if kept is None else rows[kept])
         if hull.dimension < rows.shape[1]:
             raise QhullError(_flat(hull.dimension, rows.shape[1], len(rows)))
@@ -182,6 +192,12 @@ class ConvexHull(_Incremental):
         """By the hull of the vertices and the new points."""
         whole = np.concatenate([self.points, rows])
         self._take(whole, np.concatenate([np.sort(self.vertices), np.arange(self.npoints, len(whole))]))
+
+    @property
+    def _viewpoint(self) -> int | None:
+        """The number after QG."""
+        found = re.search(r"\bQG(-?\d+)", self._options or "")
+        return int(found[1]) if found else None
 
     def _own(self, found: NDArray[Any]) -> Ints:
         return (found if self._kept is None else self._kept[found]).astype(np.int32)
@@ -202,6 +218,23 @@ class ConvexHull(_Incremental):
     def equations(self) -> Rows:
         return self._hull.equations.copy()
 
+    @cached_property
+    def good(self) -> NDArray[np.bool_] | None:
+        if self._viewpoint is None:
+            return None
+        is_visible = sides_of_facets(self.points, self.simplices, self.points[[abs(self._viewpoint)]])[0] > 0
+        return np.asarray(is_visible if self._viewpoint >= 0 else ~is_visible)
+
+    @cached_property
+    def coplanar(self) -> Ints:
+        if not re.search(r"\bQc\b", self._options or ""):
+            return np.empty((0, 3), np.int32)
+        is_added = self._hull.side(self.points) == 0
+        is_added[self.vertices] = False
+        if self._viewpoint is not None:
+            is_added[abs(self._viewpoint)] = False
+        return touched_facets(self.points, self.simplices, np.flatnonzero(is_added))
+
     @property
     def nsimplex(self) -> int:
         return self._hull.nsimplex
@@ -219,6 +252,7 @@ class _OfPlane(_Incremental):
     """What is made of a Delaunay triangulation."""
 
     _dimensions = (2,)
+    _refused = r"\bQG"
 
     def __init__(
         self,
