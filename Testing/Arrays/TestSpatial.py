@@ -226,6 +226,10 @@ class TestTriangulations(unittest.TestCase):
         ):
             self.assertIs(draw(shown, ax), ax.figure)
             self.assertEqual(sum(len(some.get_segments()) for some in ax.collections[-2:]), lines)
+        # Rays begin at vertices, and go farther than the points.
+        rays = np.array(ax.collections[-1].get_segments())
+        np.testing.assert_array_equal(rays[:, 0], np.full((4, 2), 0.5))
+        np.testing.assert_allclose(np.abs(rays[:, 1] - 0.5).max(axis=1), 1)
         with self.assertRaisesRegex(ValueError, "not 2-D"):
             spatial.convex_hull_plot_2d(spatial.ConvexHull(CLOUDS["space"]))
 

@@ -487,14 +487,16 @@ def voronoi_plot_2d(
 
     line: line_colors, line_width, line_alpha, point_size, as scipy's
     """
-    center, width = vor.points.mean(axis=0), np.ptp(vor.points, axis=0).max()
+    center, widths = vor.points.mean(axis=0), np.ptp(vor.points, axis=0)
+    length = widths.max() ** 2 / widths.min()  # of rays, that leave the picture also where it is narrow
     ends = np.array(vor.ridge_vertices)
     is_open = ends[:, 0] < 0
     lines, far = vor.vertices[ends], vor.points[vor.ridge_points]
     normals = np.column_stack([-(far[:, 1] - far[:, 0])[:, 1], (far[:, 1] - far[:, 0])[:, 0]])
     normals /= np.linalg.norm(normals, axis=1)[:, None]
     normals *= np.sign(((far.mean(axis=1) - center) * normals).sum(axis=1))[:, None]
-    lines[is_open, 0] = lines[is_open, 1] + width * normals[is_open]
+    lines[is_open, 0] = lines[is_open, 1]
+    lines[is_open, 1] += length * normals[is_open]
     kept = show_points, show_vertices
     return _drawn(
         vor.points[: len(vor.points) * kept[0]], lines, ax, is_open, vor.vertices[: len(vor.vertices) * kept[1]], line
