@@ -412,14 +412,40 @@ class TestInterpolators(unittest.TestCase):
             of_scipys = spatial.estimate_gradients_2d_global(scipy.spatial.Delaunay(points), values)
             np.testing.assert_array_equal(of_scipys, found)
 
+    def test_forms_of_positions(self):
+        points, values = CLOUDS["plane"], np.arange(300)
+        for kind in (spatial.LinearNDInterpolator, spatial.CloughTocher2DInterpolator, spatial.NearestNDInterpolator):
+            surface = kind(points, values)
+            grid = np.mgrid[0.2:0.8:4j, 0.3:0.7:3j]
+            found = surface(np.moveaxis(grid, 0, -1))
+            self.assertEqual((found.shape, found.dtype), ((4, 3), float))
+            np.testing.assert_array_equal(surface(*grid), found)
+            np.testing.assert_array_equal(surface(tuple(grid)), found)
+            np.testing.assert_array_equal(surface(grid[0][:, :1], grid[1][:1]), found)
+            self.assertEqual(surface((0.2, 0.3)), found[0, 0])
+            for one, shape in (((0.2, 0.3), ()), ([0.2, 0.3], (1,)), ([0.2, 0.3, 0.2, 0.7], (2,))):
+                self.assertEqual(surface(one).shape, shape)
+            for wrong in (grid, tuple([*grid, grid[0]]), [0.2, 0.3, 0.4], 0.2):
+                with self.assertRaisesRegex(ValueError, "dimensions in xi"):
+                    surface(wrong)
+        near = surface(points + [0.001, 0], distance_upper_bound=0.002, workers=2)
+        np.testing.assert_array_equal(near[near == near], surface(points + [0.001, 0])[near == near])
+        self.assertTrue(np.isnan(surface([[5, 5]], distance_upper_bound=1)).all())
+        with self.assertRaisesRegex(NotImplementedError, "Euclid"):
+            surface([[5, 5]], p=1)
+
     def test_bad_input(self):
         with self.assertRaisesRegex(ValueError, "different number of values and points"):
             spatial.LinearNDInterpolator(SQUARE, [1, 2])
+        with self.assertRaisesRegex(ValueError, "different number of values and points"):
+            spatial.LinearNDInterpolator(SQUARE, 3)
+        with self.assertRaisesRegex(TypeError, "not complex"):
+            spatial.LinearNDInterpolator(SQUARE * 1j, range(4))
         with self.assertRaisesRegex(NotImplementedError, r"n by 2 here, not of shape \(300, 3\): take scipy.interpolate"):
             spatial.LinearNDInterpolator(CLOUDS["space"], np.arange(300))
         with self.assertRaisesRegex(ValueError, "points in the plane"):
             spatial.CloughTocher2DInterpolator(CLOUDS["space"], np.arange(300))
-        with self.assertRaisesRegex(ValueError, "does not rescale a Delaunay triangulation"):
+        with self.assertRaisesRegex(ValueError, "Rescaling is not supported when passing a Delaunay triangulation"):
             spatial.LinearNDInterpolator(spatial.Delaunay(SQUARE), range(4), rescale=True)
         with self.assertRaisesRegex(ValueError, "dimensions in xi"):
             spatial.NearestNDInterpolator(SQUARE, range(4))(np.zeros((2, 3)))

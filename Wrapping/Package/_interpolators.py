@@ -33,12 +33,16 @@ class _Interpolator:
     def __init__(self, points: Any, values: ArrayLike, fill_value: complex = np.nan, rescale: bool = False) -> None:
         self._given = points if hasattr(points, "simplices") else None
         if self._given is not None and rescale:
-            raise ValueError(f"{type(self).__name__} does not rescale a Delaunay triangulation: pass its points")
-        rows = np.asarray(_rows_of(points), np.float64)
+            sentence = "Rescaling is not supported when passing a Delaunay triangulation as ``points``."
+            raise ValueError(f"{sentence} {type(self).__name__} rescales points alone.")
+        rows = _rows_of(points)
+        if np.iscomplexobj(rows):
+            raise TypeError("points are real numbers, not complex ones")
+        rows = np.asarray(rows, np.float64)
         if rows.ndim != 2 or rows.shape[1] != 2:
             raise NotImplementedError(f"points are n by 2 here, not of shape {rows.shape}: take scipy.interpolate")
         self.points, self.fill_value, self.values = rows, fill_value, np.asarray(values)
-        if len(self.values) != len(rows):
+        if self.values.shape[:1] != (len(rows),):
             raise ValueError("different number of values and points")
         self._origin, self._scale = np.zeros(2), np.ones(2)
         if rescale:
@@ -55,11 +59,16 @@ class _Interpolator:
         return self._given
 
     def __call__(self, *args: ArrayLike) -> NDArray[Any]:
-        """At positions (..., 2), or at x and y."""
-        at = np.stack(np.broadcast_arrays(*map(np.asarray, args)), axis=-1) if len(args) > 1 else np.asarray(args[0])
+        """At positions (..., 2), or at x and y, also in a tuple. A row of 2 k numbers are k positions."""
+        return self._at(self._positions(args))
+
+    def _positions(self, args: tuple[Any, ...]) -> NDArray[Any]:
+        at = _together(args if len(args) > 1 else args[0])
+        if at.ndim == 1 and not at.size % 2 and not isinstance(args[0], tuple) and len(args) == 1:
+            at = at.reshape(-1, 2)
         if at.shape[-1:] != (2,):
             raise ValueError(f"number of dimensions in xi does not match x: {at.shape}")
-        return self._at((at - self._origin) / self._scale)
+        return np.asarray((at - self._origin) / self._scale)
 
     def _at(self, positions: NDArray[Any]) -> NDArray[Any]:
         fill = complex(self.fill_value)
@@ -75,9 +84,17 @@ class _Interpolator:
         )
 
 
-def _rows_of(points: Any) -> Any:
+def _together(coordinates: Any) -> NDArray[Any]:
+    """Positions; of a tuple of x and y, that are broadcast."""
+    if isinstance(coordinates, tuple):
+        return np.stack(np.broadcast_arrays(*map(np.asarray, coordinates)), axis=-1)
+    return np.asarray(coordinates)
+
+
+def _rows_of(points: Any) -> NDArray[Any]:
     """x and y in a tuple as rows."""
-    return np.column_stack([*map(np.ravel, points)]) if isinstance(points, tuple) else getattr(points, "points", points)
+    rows = _together(getattr(points, "points", points))
+    return rows.reshape(-1, rows.shape[-1]) if isinstance(points, tuple) else rows
 
 
 class LinearNDInterpolator(_Interpolator):
@@ -106,7 +123,7 @@ class CloughTocher2DInterpolator(_Interpolator):
         maxiter: int = 400,
         rescale: bool = False,
     ) -> None:
-        if np.ndim(_rows_of(points)) == 2 and np.shape(_rows_of(points))[1] != 2:
+        if _rows_of(points).shape[1:] not in ((), (2,)):
             raise ValueError("CloughTocher2DInterpolator is of points in the plane")
         super().__init__(points, values, fill_value, rescale)
 
@@ -139,14 +156,30 @@ def _gradients(found: RegularTriangulation, values: NDArray[Any]) -> NDArray[Any
 
 
 class NearestNDInterpolator(_Interpolator):
-    """As scipy.interpolate.NearestNDInterpolator, in the plane: exact; of several points as near, the first."""
+    """As scipy.interpolate.NearestNDInterpolator, in the plane: exact; of several points as near, the first.
+
+    Results are doubles or complex numbers, also of integers.
+    """
 
     def __init__(self, x: Any, y: ArrayLike, rescale: bool = False, tree_options: Any = None) -> None:
         super().__init__(x, y, np.nan, rescale)
+        if not np.iscomplexobj(self.values):
+            self.values = self.values.astype(np.float64)
 
-    def _at(self, positions: NDArray[Any]) -> NDArray[Any]:
-        return self.values[np.asarray(self._found.nearest(positions))]
+    def __call__(self, *args: ArrayLike, distance_upper_bound: float = np.inf, **query_options: Any) -> NDArray[Any]:
+        """At positions (..., 2), or at x and y; NaN where no point is nearer than distance_upper_bound.
 
+        query_options: of those of scipy's trees, p=2, eps and workers are accepted, and change nothing
+        """
+        wrong = sorted(query_options.keys() - {"p", "eps", "workers"})
+        if wrong or query_options.get("p", 2) != 2:
+            raise NotImplementedError(f"distances are Euclid's here, without options {wrong}: take scipy.interpolate")
+        at = self._positions(args)
+        ids = np.asarray(self._found.nearest(at))
+        found = self.values[ids]
+        if distance_upper_bound < np.inf:
+            found[np.linalg.norm(at - self._found.points[ids], axis=-1) >= distance_upper_bound] = np.nan
+        return np.asarray(found)
 
 def griddata(
     points: Any,
