@@ -15,7 +15,7 @@ from tree import TOP, read
 
 # The most words, as wc -w counts them.
 MOST = {"README.md": 1000, os.path.join("Documentation", "Architecture.md"): 2000}
-MOST_IN_ALL = 26000
+MOST_IN_ALL = 26700
 
 
 def pages():

@@ -28,6 +28,8 @@ void fuzzConstraints(Bytes& bytes); ///< and polygons of them, and where they cr
 void fuzzEdits(Bytes& bytes);       ///< of points and constraints
 void fuzzCentroidal(Bytes& bytes);  ///< sites that move
 void fuzzPrescribed(Bytes& bytes);  ///< areas that are met, or not
+void fuzzHalfSpaces(Bytes& bytes);  ///< bounded or not, flat, empty
+void fuzzFurthestSite(Bytes& bytes);
 
 }
 }

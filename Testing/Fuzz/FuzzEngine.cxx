@@ -20,7 +20,7 @@ void oneCall(Bytes bytes)
   static constexpr void (*calls[])(Bytes&) = { fuzzHull, fuzzTriangulation, fuzzDiagram,
     fuzzConvexify, fuzzHullClaims, fuzzTriangulationClaims, fuzzArguments, fuzzHullQueries,
     fuzzTriangulationQueries, fuzzPolygons, fuzzConstraints, fuzzCells, fuzzDiagram, fuzzCentroidal,
-    fuzzPrescribed, fuzzEdits };
+    fuzzPrescribed, fuzzEdits, fuzzHalfSpaces, fuzzFurthestSite };
   calls[bytes.below(static_cast<int>(std::size(calls)))](bytes);
 }
 
