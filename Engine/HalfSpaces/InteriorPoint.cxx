@@ -147,10 +147,11 @@ std::size_t leastSatisfied(
 /// The exact optimum, over a growing set of constraints: each time one that its optimum does not
 /// satisfy joins.
 /// @param constraints the same in doubles, in the order of the rows that have a border
+/// @param inDoubles   only positions in the range of doubles count
 template <int Dimension>
 void maximizeExactly(const HalfSpaceRows& rows,
-  const std::vector<HalfSpace<Dimension + 1>>& constraints, double unit, Rational* best,
-  Monitor& monitor)
+  const std::vector<HalfSpace<Dimension + 1>>& constraints, double unit, bool inDoubles,
+  Rational* best, Monitor& monitor)
 {
   std::vector<const double*> bordered;
   for (std::size_t i = 0; i < rows.size(); i += 4)
@@ -160,12 +161,19 @@ void maximizeExactly(const HalfSpaceRows& rows,
       bordered.push_back(rows.data() + i);
     }
   }
-  // Further than doubles: a position beyond is none.
-  const Rational box(boost::multiprecision::cpp_int(1) << 1100);
+  // Quotients of doubles are below 2^2098: so the origin has a margin in this box.
+  const Rational box(boost::multiprecision::cpp_int(1) << 2100);
   Rational objective[Dimension + 1];
   objective[Dimension] = 1;
   std::vector<HalfSpace<Dimension + 1, Rational>> chosen;
   chosen.push_back(limitOfMargin<Dimension, Rational>(2 * Rational(unit)));
+  for (int i = 0; i < 2 * Dimension && inDoubles; ++i)
+  {
+    HalfSpace<Dimension + 1, Rational> wall;
+    wall.normal[i / 2] = i % 2 ? 1 : -1;
+    wall.bound = Rational(std::numeric_limits<double>::max());
+    chosen.push_back(wall);
+  }
   StepPoll poll(monitor);
   while (true)
   {
@@ -214,17 +222,20 @@ Intersection findInteriorIn(const HalfSpaceRows& rows, double* c, Monitor& monit
     return Intersection::Bounded;
   }
   Rational best[Dimension + 1];
-  maximizeExactly<Dimension>(rows, constraints, unit, best, monitor);
-  const int margin = best[Dimension].sign();
-  if (margin <= 0)
+  for (const bool inDoubles : { false, true })
   {
-    return margin < 0 ? Intersection::Empty : Intersection::Flat;
+    maximizeExactly<Dimension>(rows, constraints, unit, inDoubles, best, monitor);
+    const int margin = best[Dimension].sign();
+    if (margin <= 0 && !inDoubles)
+    {
+      return margin < 0 ? Intersection::Empty : Intersection::Flat;
+    }
+    if (isInside([&](int i) { return best[i].template convert_to<double>(); }))
+    {
+      return Intersection::Bounded;
+    }
   }
-  if (!isInside([&](int i) { return best[i].template convert_to<double>(); }))
-  {
-    throw badArgument("no position in doubles was found strictly inside all half-spaces");
-  }
-  return Intersection::Bounded;
+  throw badArgument("no position in doubles was found strictly inside all half-spaces");
 }
 
 }

@@ -501,6 +501,18 @@ TEST(HalfSpaces, OfAnyMagnitude)
   }
 }
 
+/// Positions that satisfy a half-space are beyond doubles.
+TEST(HalfSpaces, OfBordersBeyondDoubles)
+{
+  std::vector<Row> rows = tangentPlanes(10, { 0, 0, 0 }, 3);
+  rows.push_back({ 0x1p-1000, 0, 0, 0x1p1000 });
+  EXPECT_EQ(intersectionOf(rows, 3).kind, Intersection::Empty);
+  rows.back() = { 0x1p-1000, 0, 0, -0x1p1000 };
+  const HalfSpaceIntersection found = intersectionOf(rows, 3);
+  EXPECT_EQ(found.pointIds.size(), 10u);
+  EXPECT_EQ(intersectionOf({ rows.back() }, 3).kind, Intersection::Unbounded);
+}
+
 ErrorCode codeOf(const std::vector<Row>& rows, const double* interior, std::int64_t* index)
 {
   try
