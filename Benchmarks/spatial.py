@@ -106,11 +106,11 @@ def measured(call, of):
 
 
 def main():
-    print("| call | scipy | here | ratio |\n|---|---|---|---|")
+    print("| call | scipy, s | here, s | ratio |\n|---|---|---|---|")
     for name, call in rows():
         if len(sys.argv) < 2 or any(word in name for word in sys.argv[1:]):
             theirs, ours = (measured(call, of) for of in (scipy.spatial, spatial))
-            print(f"| {name} | {theirs:.3g} s | {ours:.3g} s | {theirs / ours:.2g} |", flush=True)
+            print(f"| {name} | {theirs:.3g} | {ours:.3g} | {theirs / ours:.2g} |", flush=True)
 
 
 if __name__ == "__main__":
