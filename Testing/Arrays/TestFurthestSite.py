@@ -54,6 +54,11 @@ class TestFurthestSite(unittest.TestCase):
             corners = diagram.vertices[ids]
             for a, b, c in zip(corners, corners[1:], corners[2:]):
                 self.assertGreater((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]), 0)
+        for (p, q), (right, left) in zip(diagram.ridge_points, diagram.ridge_vertices):
+            if right >= 0:
+                step, across = CLOUDS[0][q] - CLOUDS[0][p], diagram.vertices[left] - diagram.vertices[right]
+                self.assertGreater(step[0] * across[1] - step[1] * across[0], 0)
+        self.assertTrue(repr(diagram).startswith("<FurthestSiteDiagram: "))
         np.testing.assert_array_equal(diagram.cell_of < 0, ~np.isin(np.arange(60), diagram.sites))
 
     @unittest.skipUnless(HAS_SCIPY, "scipy is not installed")
@@ -71,6 +76,8 @@ class TestFurthestSite(unittest.TestCase):
             {frozenset(pair) for pair in one.ridge_points.tolist()},
             {frozenset(pair) for pair in other.ridge_points.tolist()},
         )
+        bare = spatial.Voronoi(points, furthest_site=True, qhull_options="Qbb")
+        self.assertEqual([bare.regions[i] for i in bare.point_region], [one.regions[i] for i in one.point_region])
         for mine, theirs in zip(one.point_region, other.point_region):
             self.assertEqual(len(one.regions[mine]), len(other.regions[theirs]))
         added = spatial.Delaunay(points[:30], furthest_site=True, incremental=True)

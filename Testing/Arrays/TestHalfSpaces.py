@@ -134,6 +134,8 @@ class TestSpatial(unittest.TestCase):
             bad = np.append(np.ones(ndim), 0.0)
             with self.assertRaisesRegex(spatial.QhullError, "not strictly inside half-space 200"):
                 added.add_halfspaces(bad)
+            with self.assertRaisesRegex(ValueError, "half-space 200, .* is not finite"):
+                added.add_halfspaces(np.append(np.ones(ndim), np.nan))
             self.assertEqual(added.nineq, 200)
             added.add_halfspaces(rows[0], restart=True)
             added.close()

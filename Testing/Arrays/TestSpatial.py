@@ -4,6 +4,7 @@
 
 import importlib.util
 import itertools
+import os
 import unittest
 import warnings
 from fractions import Fraction
@@ -224,13 +225,22 @@ class TestTriangulations(unittest.TestCase):
             (spatial.delaunay_plot_2d, spatial.Delaunay(SQUARE), 5),
             (spatial.voronoi_plot_2d, spatial.Voronoi(SQUARE), 4),
         ):
+            ax.clear()
             self.assertIs(draw(shown, ax), ax.figure)
-            self.assertEqual(sum(len(some.get_segments()) for some in ax.collections[-2:]), lines)
+            self.assertEqual(sum(len(some.get_segments()) for some in ax.collections), lines)
+            np.testing.assert_allclose([*ax.get_xlim(), *ax.get_ylim()], [-0.1, 1.1, -0.1, 1.1])
         # Rays begin at vertices, and go farther than the points.
         rays = np.array(ax.collections[-1].get_segments())
         np.testing.assert_array_equal(rays[:, 0], np.full((4, 2), 0.5))
         np.testing.assert_allclose(np.abs(rays[:, 1] - 0.5).max(axis=1), 1)
-        with self.assertRaisesRegex(ValueError, "not 2-D"):
+        # Those of a furthest-site diagram go the other way.
+        ax.clear()
+        spatial.voronoi_plot_2d(spatial.Voronoi([[0, 0], [1, 0], [0.4, 1]], furthest_site=True), ax)
+        spatial.voronoi_plot_2d(spatial.Voronoi([[0, 0], [1, 0], [0.4, 1]]), ax)
+        (one, other) = (np.array(some.get_segments()) for some in ax.collections if some.get_segments())
+        steps = [rays[np.lexsort(rays[:, 1].T), 1] - rays[0, 0] for rays in (one, other)]
+        np.testing.assert_allclose(np.sort(steps[0], axis=0), np.sort(-steps[1], axis=0))
+        with self.assertRaisesRegex(ValueError, "in the plane, not of 3 coordinates"):
             spatial.convex_hull_plot_2d(spatial.ConvexHull(CLOUDS["space"]))
 
 
@@ -256,7 +266,7 @@ class TestDiagrams(unittest.TestCase):
 
     def test_by_rationals(self):
         """Vertices are all centers of circles through three points that have none inside, rounded once."""
-        for seed in range(2000):
+        for seed in range(int(os.environ.get("FLIPFLOP_TEST_CASES", 300))):
             random = np.random.default_rng(seed)
             points = np.unique(random.integers(0, 5, (7, 2)), axis=0) * random.choice([1.0, 0.1, 1e-160, 2.0**300])
             circles = _empty_circles(points)
@@ -411,6 +421,32 @@ class TestInterpolators(unittest.TestCase):
                 self.assertEqual(spatial.estimate_gradients_2d_global(tri, given).shape, given.shape + (2,))
             of_scipys = spatial.estimate_gradients_2d_global(scipy.spatial.Delaunay(points), values)
             np.testing.assert_array_equal(of_scipys, found)
+
+    @unittest.skipUnless(HAS_SCIPY, "scipy is not installed")
+    def test_a_given_triangulation(self):
+        import scipy.interpolate
+        import scipy.spatial
+
+        grid = np.mgrid[0:5, 0:5].reshape(2, -1).T.astype(float)
+        values, queries = RANDOM.random(25), RANDOM.random((50, 2)) * 4
+        for given in (spatial.Delaunay(grid), scipy.spatial.Delaunay(grid)):
+            theirs = scipy.interpolate.LinearNDInterpolator(given, values) if "scipy" in type(given).__module__ else None
+            mine = spatial.LinearNDInterpolator(given, values)
+            self.assertIs(mine.tri, given)
+            if theirs is not None:
+                np.testing.assert_allclose(mine(queries), theirs(queries))
+        far = spatial.Delaunay(CLOUDS["plane"], furthest_site=True)
+        heights = CLOUDS["plane"] @ [2.0, 3]
+        inside = far.points[far.simplices].mean(axis=1)
+        np.testing.assert_allclose(spatial.LinearNDInterpolator(far, heights)(inside), inside @ [2.0, 3])
+
+    def test_flat_points(self):
+        for kind in (spatial.LinearNDInterpolator, spatial.CloughTocher2DInterpolator):
+            with self.assertRaisesRegex(spatial.QhullError, "on a line: 3 points span less"):
+                kind([[0, 0], [1, 1], [2, 2]], [0, 1, 2])
+            with self.assertRaisesRegex(ValueError, "No points given"):
+                kind(np.empty((0, 2)), [])
+        self.assertEqual(spatial.NearestNDInterpolator([[0, 0], [1, 1], [2, 2]], [0, 1, 2])([1.2, 1]), 1)
 
     def test_forms_of_positions(self):
         points, values = CLOUDS["plane"], np.arange(300)

@@ -46,7 +46,10 @@ def directions_of(longitude: ArrayLike, latitude: ArrayLike) -> Floats:
 
 def lonlat_of(directions: ArrayLike) -> Floats:
     """The longitude, from -180 to 180, and the latitude of directions (..., 3) of any length, in degrees: (..., 2)."""
-    x, y, z = np.moveaxis(doubles_of(directions, "directions"), -1, 0)
+    rows = doubles_of(directions, "directions")
+    if rows.shape[-1:] != (3,):
+        raise ValueError(f"directions are rows of x, y and z, not an array of shape {rows.shape}")
+    x, y, z = np.moveaxis(rows, -1, 0)
     return np.stack([np.degrees(np.arctan2(y, x)), np.degrees(np.arctan2(z, np.hypot(x, y)))], axis=-1)
 
 

@@ -27,7 +27,7 @@ def sides_of_facets(points: Rows, simplices: NDArray[Any], at: Rows) -> NDArray[
     with np.errstate(all="ignore"):
         arms = points[simplices] - at[:, None, None]
         values, sizes = _expanded(arms, -1), _expanded(np.abs(arms), 1)
-        # Four times the bound of J. R. Shewchuk (1997), and what underflows.
+        # More than twice the bound of J. R. Shewchuk (1997), and what underflows.
         bounds = 2.0**-49 * sizes + 2.0**-1060 * (1 + np.abs(arms).max(axis=(2, 3)))
         signs = np.where(np.abs(values) > bounds, np.sign(values), np.nan)
     unsure = np.nonzero(np.isnan(signs))

@@ -90,6 +90,17 @@ class FurthestSiteDiagram(VoronoiDiagram):
         return frozen(found)
 
     @property
+    def ridge_vertices(self) -> Ids:
+        """The two ends of each side, as VoronoiDiagram has them: of two, the right one first."""
+        ends = super().ridge_vertices.copy()
+        is_closed = ends[:, 0] >= 0
+        ends[is_closed] = ends[is_closed, ::-1]
+        return frozen(ends)
+
+    def __repr__(self) -> str:
+        return super().__repr__().replace("VoronoiDiagram", type(self).__name__)
+
+    @property
     def _border(self) -> Ids:
         """Clockwise: rays run the other way."""
         return super()._border[:, ::-1]

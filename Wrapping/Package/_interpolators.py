@@ -12,6 +12,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._image import Method
+from ._plane_cells import LocatedCells
+from ._qhull import QhullError
+from ._results import distinct, edges_of
 from ._triangulation import RegularTriangulation, regular_triangulation
 
 
@@ -20,12 +23,17 @@ class _Interpolator:
 
     Parameters
     ----------
-    points : n by 2, or x and y in a tuple, or a Delaunay triangulation
+    points : n by 2, or x and y in a tuple, or a Delaunay triangulation, also scipy's: its triangles are used
     values : array of n rows or numbers, also complex
     fill_value : number
         what there is outside of the convex hull
     rescale : bool
-        whether x and y are taken by their ranges, each from 0 to 1
+        whether x and y are taken by their ranges, each from 0 to 1; points and tri are as given
+
+    Raises
+    ------
+    QhullError
+        the points are on a line
     """
 
     _method: Method = "linear"
@@ -41,7 +49,9 @@ class _Interpolator:
         rows = np.asarray(rows, np.float64)
         if rows.ndim != 2 or rows.shape[1] != 2:
             raise NotImplementedError(f"points are n by 2 here, not of shape {rows.shape}: take scipy.interpolate")
-        self.points, self.fill_value, self.values = rows, fill_value, np.asarray(values)
+        if not len(rows):
+            raise ValueError("No points given")
+        self.points, self.fill_value, self.values = rows.copy(), fill_value, np.asarray(values)
         if self.values.shape[:1] != (len(rows),):
             raise ValueError("different number of values and points")
         self._origin, self._scale = np.zeros(2), np.ones(2)
@@ -49,7 +59,21 @@ class _Interpolator:
             self._origin = rows.mean(axis=0)
             ranges = np.ptp(rows, axis=0)
             self._scale = np.where(ranges > 0, ranges, 1.0)
-        self._found: RegularTriangulation = regular_triangulation((rows - self._origin) / self._scale)
+        self._found = self._triangulated((self.points - self._origin) / self._scale)
+
+    def _triangulated(self, rows: NDArray[Any]) -> LocatedCells:
+        """The triangles to interpolate over; of a given triangulation, its own."""
+        found = getattr(self._given, "_found", None)
+        if self._given is None or isinstance(found, RegularTriangulation):
+            found = regular_triangulation(rows) if found is None else found
+        else:
+            used = distinct(self._given.simplices)
+            edges = np.searchsorted(used, edges_of(np.asarray(self._given.simplices, np.int64)))
+            self.values = self.values[used]
+            found = regular_triangulation(rows[used], constraints=edges)
+        if found.dimension < 2:
+            raise QhullError(f"all points are on a line: {len(rows)} points span less than 2 dimensions")
+        return found
 
     @property
     def tri(self) -> Any:
@@ -124,12 +148,14 @@ class CloughTocher2DInterpolator(_Interpolator):
         rescale: bool = False,
     ) -> None:
         if _rows_of(points).shape[1:] not in ((), (2,)):
-            raise ValueError("CloughTocher2DInterpolator is of points in the plane")
+            raise ValueError("CloughTocher2DInterpolator is of points in the plane, n by 2")
         super().__init__(points, values, fill_value, rescale)
 
     @cached_property
     def grad(self) -> NDArray[Any]:
         """The gradients at the points, n by components by 2; of coordinates as rescale changes them."""
+        if not isinstance(self._found, RegularTriangulation):
+            raise NotImplementedError("gradients are of points, or of a triangulation of vtkflipflop.spatial")
         return _gradients(self._found, self.values.reshape(len(self.values), -1))
 
 
@@ -143,7 +169,9 @@ def estimate_gradients_2d_global(tri: Any, y: ArrayLike, maxiter: int = 400, tol
     if len(values) != len(tri.points):
         raise ValueError("'y' has a wrong number of items")
     found = getattr(tri, "_found", None)
-    return _gradients(regular_triangulation(tri.points) if found is None else found, values)
+    if not isinstance(found, RegularTriangulation):
+        found = regular_triangulation(np.asarray(tri.points, np.float64))
+    return _gradients(found, values)
 
 
 def _gradients(found: RegularTriangulation, values: NDArray[Any]) -> NDArray[Any]:
@@ -161,25 +189,33 @@ class NearestNDInterpolator(_Interpolator):
     Results are doubles or complex numbers, also of integers.
     """
 
+    _found: RegularTriangulation
+
     def __init__(self, x: Any, y: ArrayLike, rescale: bool = False, tree_options: Any = None) -> None:
         super().__init__(x, y, np.nan, rescale)
         if not np.iscomplexobj(self.values):
             self.values = self.values.astype(np.float64)
+
+    def _triangulated(self, rows: NDArray[Any]) -> RegularTriangulation:
+        return regular_triangulation(rows)
 
     def __call__(self, *args: ArrayLike, distance_upper_bound: float = np.inf, **query_options: Any) -> NDArray[Any]:
         """At positions (..., 2), or at x and y; NaN where no point is nearer than distance_upper_bound.
 
         query_options: of those of scipy's trees, p=2, eps and workers are accepted, and change nothing
         """
-        wrong = sorted(query_options.keys() - {"p", "eps", "workers"})
-        if wrong or query_options.get("p", 2) != 2:
-            raise NotImplementedError(f"distances are Euclid's here, without options {wrong}: take scipy.interpolate")
+        p = query_options.pop("p", 2)
+        wrong = sorted(query_options.keys() - {"eps", "workers"})
+        if wrong or p != 2:
+            what = f"not of p = {p}" if p != 2 else f"without {', '.join(wrong)}"
+            raise NotImplementedError(f"distances are Euclid's here, {what}: take scipy.interpolate")
         at = self._positions(args)
         ids = np.asarray(self._found.nearest(at))
         found = self.values[ids]
         if distance_upper_bound < np.inf:
             found[np.linalg.norm(at - self._found.points[ids], axis=-1) >= distance_upper_bound] = np.nan
         return np.asarray(found)
+
 
 def griddata(
     points: Any,
@@ -198,4 +234,4 @@ def griddata(
         return LinearNDInterpolator(rows, values, fill_value, rescale)(*at)
     if method == "cubic":
         return CloughTocher2DInterpolator(rows, values, fill_value, rescale=rescale)(*at)
-    raise ValueError(f"Unknown interpolation method {method!r} for 2 dimensional data")
+    raise ValueError(f"Unknown interpolation method {method!r}: it is 'linear', 'nearest' or 'cubic'")

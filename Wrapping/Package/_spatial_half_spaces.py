@@ -5,15 +5,15 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._errors import InputError
-from ._fallback import WithFallback
 from ._half_spaces import HalfSpaceIntersection as Found
 from ._half_spaces import half_space_intersection, sizes_of
+from ._incremental import Incremental
 from ._input import doubles_of
 from ._qhull import QhullError, say_unused
 from ._results import Polygons
@@ -21,7 +21,7 @@ from ._results import Polygons
 Rows = NDArray[np.float64]
 
 
-class HalfspaceIntersection(WithFallback):
+class HalfspaceIntersection(Incremental):
     """The intersection of half-spaces of the plane or of space, as scipy.spatial.HalfspaceIntersection.
 
     Attributes
@@ -66,7 +66,7 @@ class HalfspaceIntersection(WithFallback):
         rows, point = _rows_of(halfspaces), np.array(doubles_of(interior_point, "the numbers of interior_point"))
         if point.shape != (rows.shape[1] - 1,):
             raise ValueError(f"feasible point has to be a (ndim-1,) array, not of shape {point.shape}")
-        self._incremental, self._is_open = bool(incremental), True
+        self._open(incremental)
         self.interior_point = point
         self._take(rows, np.arange(len(rows)))
 
@@ -75,40 +75,27 @@ class HalfspaceIntersection(WithFallback):
         try:
             found = half_space_intersection(rows[kept], self.interior_point)
         except InputError as error:
-            if error.code == "bad_argument" and error.index >= 0:
-                row = rows[kept[error.index]]
-                at = f"half-space {kept[error.index]}, {row}"
-                raise QhullError(f"feasible point {self.interior_point} is not strictly inside {at}") from None
-            raise
+            if error.index < 0:
+                raise
+            at = f"half-space {kept[error.index]}, {rows[kept[error.index]]}"
+            if error.code == "non_finite":
+                raise ValueError(f"{at} is not finite") from None
+            raise QhullError(f"feasible point {self.interior_point} is not strictly inside {at}") from None
         if found.kind != "bounded":
             raise QhullError("the intersection is unbounded: add half-spaces, as those of a box")
-        for name in [name for name in self.__dict__ if isinstance(getattr(type(self), name, None), cached_property)]:
-            del self.__dict__[name]
+        self._forget()
         self.halfspaces, self._found, self._kept = rows, found, kept
         self._duals = found.dual_points if len(kept) == len(rows) else None
 
     def add_halfspaces(self, halfspaces: ArrayLike, restart: bool = False) -> None:
         """Add half-spaces after the others. Those that were redundant are not looked at again, but with restart."""
-        if not self._is_open:
-            raise RuntimeError("this instance is closed")
-        if not self._incremental:
-            raise RuntimeError("incremental mode not enabled or already closed")
+        self._require_open()
         rows = _rows_of(np.atleast_2d(np.asarray(halfspaces)))
         if rows.shape[1] != self.halfspaces.shape[1]:
             raise ValueError(f"invalid size for new half-spaces: {rows.shape}")
         whole = np.concatenate([self.halfspaces, rows])
         before = np.arange(self.nineq) if restart else self._kept[self._found.facets]
         self._take(whole, np.concatenate([before, np.arange(self.nineq, len(whole))]))
-
-    def close(self) -> None:
-        """No more half-spaces are added."""
-        self._is_open = self._incremental = False
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: Any) -> None:
-        self.close()
 
     @property
     def ndim(self) -> int:

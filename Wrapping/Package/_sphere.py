@@ -78,7 +78,7 @@ class SphericalVoronoi(WithFallback):
         if len(found.hidden) or _least_distance(self.points, found.edges) < threshold * self.radius:
             raise ValueError("Duplicate generators present.")
         self._diagram = found.voronoi_diagram()
-        self._simplices = found.simplices.copy()
+        self._simplices = found.simplices.copy()  # scipy's name, which its tests read
         self.vertices: Rows = self._diagram.vertices.copy()
         self.regions = lists_of(self._diagram.cells)
 
@@ -93,4 +93,3 @@ class SphericalVoronoi(WithFallback):
 def _least_distance(points: Rows, edges: Any) -> float:
     """Of neighbours, among which the nearest of all are."""
     return float(np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1).min())
-

@@ -30,7 +30,7 @@ class SphericalTriangulation(Frozen):
     Attributes
     ----------
     points : ndarray of n by 3
-        the caller's points, as the engine reads them
+        the caller's points, as the engine reads them; with lonlat, their positions
     center : ndarray of 3
     radius : float
     hull : ConvexHull
@@ -275,7 +275,7 @@ def spherical_triangulation(
         advice = "with lonlat=True" if lonlat else "or n by 2 with lonlat=True"
         raise ValueError(f"points of a sphere are n by {columns} {advice}, not an array of shape {array.shape}")
     if lonlat:
-        array = np.array(middle) + size * directions_of(array[:, 0], array[:, 1])
+        array = frozen(np.array(middle) + size * directions_of(array[:, 0], array[:, 1]))
     off = np.abs(np.linalg.norm(array.astype(np.float64) - middle, axis=1) - size)
     sentence = f"a point is farther off the sphere of radius {size!r} than by {share!r} of that"
     refuse(off > size * share, sentence, "off_sphere")
@@ -289,7 +289,7 @@ def spherical_triangulation(
     )
     if hull.dimension < 3:
         sentence = "points of a sphere are four at least that are not in one plane"
-        raise InputError(f"{sentence}: these span {hull.dimension} dimensions", "flat")
+        raise InputError(f"{sentence}: these span {max(hull.dimension, 0)} dimensions", "flat")
     return SphericalTriangulation._of(points=array, center=frozen(np.array(middle)), radius=size, hull=hull)
 
 

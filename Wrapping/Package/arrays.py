@@ -37,7 +37,7 @@ from ._constraints import SplitConstraints, split_crossings
 from ._directions import directions_of, lonlat_of
 from ._edit import EditableTriangulation
 from ._errors import AbortedError, DeviceError, FlipFlopError, InputError, OutOfMemoryError
-from ._furthest_site import FurthestSiteTriangulation, furthest_site_triangulation
+from ._furthest_site import FurthestSiteDiagram, FurthestSiteTriangulation, furthest_site_triangulation
 from ._half_spaces import HalfSpaceIntersection, half_space_intersection
 from ._hull import ConvexHull, Diameter, OrientedBox, Side, convex_hull, convexify
 from ._image import Image
@@ -66,6 +66,7 @@ __all__ = [
     "Diameter",
     "EditableTriangulation",
     "FlipFlopError",
+    "FurthestSiteDiagram",
     "FurthestSiteTriangulation",
     "HalfSpaceIntersection",
     "HullBatch",

@@ -5,13 +5,14 @@ scipy.interpolate makes of points in the plane.
 
     from vtkflipflop.spatial import ConvexHull, Delaunay, Voronoi
 
-Arrays belong to the caller: ids are int32, and may be written to. What differs from scipy:
+Ids are int32. Arrays may be written to; what is read later is computed of points as they are then. What differs from
+scipy:
 
 - Every decision is exact, so nothing is joggled or merged; a QhullError means that the points span less, exactly.
 - Hulls are of points in the plane or in space, triangulations and diagrams of points in the plane. Others are a
   NotImplementedError, or scipy's own with fallback=True.
 - qhull_options are accepted, and mean nothing: a warning says so once. Of hulls, "QGn", "QG-n" and "Qc" are heeded; of
-  triangulations and diagrams, "QG" is scipy's alone.
+  diagrams, whether "Qz" is among them; of triangulations and diagrams, "QG" is scipy's alone.
 - Points on a facet or at another's position are no vertices.
 - Objects can be pickled and copied, also those that points can be added to.
 - Subclasses have no fallback.
@@ -21,16 +22,16 @@ from __future__ import annotations
 
 import re
 from functools import cached_property
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._edit import EditableTriangulation
 from ._facet_sides import sides_of_facets, touched_facets
-from ._fallback import WithFallback
 from ._furthest_site import FurthestSiteTriangulation, furthest_site_triangulation
 from ._hull import convex_hull
+from ._incremental import Incremental
 from ._input import is_array_like
 from ._interpolators import (
     CloughTocher2DInterpolator,
@@ -43,6 +44,7 @@ from ._qhull import QhullError, say_unused
 from ._results import Facets
 from ._rings import lists_of
 from ._spatial_half_spaces import HalfspaceIntersection
+from ._spatial_plots import convex_hull_plot_2d, delaunay_plot_2d, voronoi_plot_2d
 from ._sphere import SphericalVoronoi
 from ._triangulation import RegularTriangulation, regular_triangulation
 from ._voronoi import VoronoiDiagram
@@ -69,7 +71,7 @@ Rows = NDArray[np.float64]
 Ints = NDArray[np.int32]
 
 
-class _Incremental(WithFallback):
+class _OfPoints(Incremental):
     """Points to which others can be added, and what is made of them, when it is first used."""
 
     _dimensions: tuple[int, ...]
@@ -82,9 +84,9 @@ class _Incremental(WithFallback):
         options = str(settings.get("qhull_options") or next((a for a in arguments if isinstance(a, str)), ""))
         if re.search(cls._refused, options):
             return f"qhull_options {options!r} choose facets"
-        columns = np.shape(points)[1:2]
-        if columns > (1,) and columns[0] not in cls._dimensions:
-            return f"points have {' or '.join(map(str, cls._dimensions))} coordinates here, not {columns[0]}"
+        columns = np.shape(points)[1] if np.ndim(points) == 2 else 0
+        if columns > 1 and columns not in cls._dimensions:
+            return f"points have {' or '.join(map(str, cls._dimensions))} coordinates here, not {columns}"
         return ""
 
     def __init__(
@@ -95,7 +97,8 @@ class _Incremental(WithFallback):
             raise ValueError("No points given")
         self._check(rows, qhull_options=qhull_options)
         say_unused(re.sub(self._heeded, "", qhull_options or "").strip())
-        self._incremental, self._is_open, self._options = bool(incremental), True, qhull_options
+        self._options = qhull_options
+        self._open(incremental)
         self._take(rows)
 
     def _take(self, rows: Rows) -> None:
@@ -103,10 +106,7 @@ class _Incremental(WithFallback):
 
     def add_points(self, points: ArrayLike, restart: bool = False) -> None:
         """Add points after the others; with restart, from nothing."""
-        if not self._is_open:
-            raise RuntimeError("this instance is closed")
-        if not self._incremental:
-            raise RuntimeError("incremental mode not enabled or already closed")
+        self._require_open()
         rows = _rows_of(points)
         if rows.shape[1] != self.ndim:
             raise ValueError(f"invalid size for new points array: {rows.shape}")
@@ -115,23 +115,8 @@ class _Incremental(WithFallback):
         else:
             self._extend(rows)
 
-    def _forget(self) -> None:
-        """What was computed of the points before."""
-        for name in [name for name in self.__dict__ if isinstance(getattr(type(self), name, None), cached_property)]:
-            del self.__dict__[name]
-
     def _extend(self, rows: Rows) -> None:
         raise NotImplementedError
-
-    def close(self) -> None:
-        """No more points are added."""
-        self._is_open = self._incremental = False
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: Any) -> None:
-        self.close()
 
     @property
     def ndim(self) -> int:
@@ -150,7 +135,7 @@ class _Incremental(WithFallback):
         return np.asarray(self.points.max(axis=0))
 
 
-class ConvexHull(_Incremental):
+class ConvexHull(_OfPoints):
     """The convex hull of points in the plane or in space, as scipy.spatial.ConvexHull.
 
     Attributes
@@ -191,7 +176,8 @@ class ConvexHull(_Incremental):
     def _extend(self, rows: Rows) -> None:
         """By the hull of the vertices and the new points."""
         whole = np.concatenate([self.points, rows])
-        self._take(whole, np.concatenate([np.sort(self.vertices), np.arange(self.npoints, len(whole))]))
+        vertices = np.sort(self._own(self._hull.vertices))
+        self._take(whole, np.concatenate([vertices, np.arange(self.npoints, len(whole))]))
 
     @property
     def _viewpoint(self) -> int | None:
@@ -248,11 +234,11 @@ class ConvexHull(_Incremental):
         return self._hull.area
 
 
-class _OfPlane(_Incremental):
+class _OfPlane(_OfPoints):
     """What is made of a Delaunay triangulation."""
 
     _dimensions = (2,)
-    _refused = r"\bQG"
+    _heeded, _refused = r"\bQz\b", r"\bQG"
 
     def __init__(
         self,
@@ -385,7 +371,7 @@ class Delaunay(_OfPlane):
         return np.column_stack([normals, -(normals * a).sum(axis=1)])
 
     def find_simplex(self, xi: ArrayLike, bruteforce: bool = False, tol: float | None = None) -> Ints:
-        """The triangle that holds each position, exactly, of several the lowest; -1 outside. A tolerance does not matter."""
+        """The triangle that holds each position, exactly, of several the lowest; -1 outside. tol does not matter."""
         positions = np.asarray(xi)
         if positions.ndim == 0:
             raise IndexError("a position has two coordinates")
@@ -457,8 +443,8 @@ class Voronoi(_OfPlane):
 
     @property
     def _extra(self) -> int:
-        """How many regions are none."""
-        return int("Qz" in (self._options or "Qz"))
+        """How many regions are none: those of hidden points are that."""
+        return int(self.furthest_site or "Qz" in (self._options or "Qz"))
 
     @cached_property
     def _diagram(self) -> VoronoiDiagram:
@@ -468,57 +454,6 @@ class Voronoi(_OfPlane):
 def tsearch(tri: Delaunay, xi: ArrayLike) -> Ints:
     """tri.find_simplex(xi)."""
     return tri.find_simplex(xi)
-
-
-def convex_hull_plot_2d(hull: ConvexHull, ax: Any = None) -> Any:
-    """Draw a hull in the plane, with matplotlib. Returns the figure."""
-    return _drawn(hull.points, hull.points[hull.simplices], ax)
-
-
-def delaunay_plot_2d(tri: Delaunay, ax: Any = None) -> Any:
-    """Draw a triangulation, with matplotlib. Returns the figure."""
-    return _drawn(tri.points, tri.points[tri._found.edges], ax)
-
-
-def voronoi_plot_2d(
-    vor: Voronoi, ax: Any = None, *, show_points: bool = True, show_vertices: bool = True, **line: Any
-) -> Any:
-    """Draw a diagram, with matplotlib: sides without an end are dashed. Returns the figure.
-
-    line: line_colors, line_width, line_alpha, point_size, as scipy's
-    """
-    center, widths = vor.points.mean(axis=0), np.ptp(vor.points, axis=0)
-    length = widths.max() ** 2 / widths.min()  # of rays, that leave the picture also where it is narrow
-    ends = np.array(vor.ridge_vertices)
-    is_open = ends[:, 0] < 0
-    lines, far = vor.vertices[ends], vor.points[vor.ridge_points]
-    normals = np.column_stack([-(far[:, 1] - far[:, 0])[:, 1], (far[:, 1] - far[:, 0])[:, 0]])
-    normals /= np.linalg.norm(normals, axis=1)[:, None]
-    normals *= np.sign(((far.mean(axis=1) - center) * normals).sum(axis=1))[:, None]
-    lines[is_open, 0] = lines[is_open, 1]
-    lines[is_open, 1] += length * normals[is_open]
-    kept = show_points, show_vertices
-    return _drawn(
-        vor.points[: len(vor.points) * kept[0]], lines, ax, is_open, vor.vertices[: len(vor.vertices) * kept[1]], line
-    )
-
-
-def _drawn(points: Rows, lines: Rows, ax: Any, is_open: Any = None, vertices: Any = None, line: Any = None) -> Any:
-    from matplotlib import pyplot
-    from matplotlib.collections import LineCollection
-
-    if points.shape[1] != 2:
-        raise ValueError("points are not 2-D")
-    axes, chosen = pyplot.figure().gca() if ax is None else ax, line or {}
-    look = {"colors": chosen.get("line_colors", "k"), "lw": chosen.get("line_width"), "alpha": chosen.get("line_alpha")}
-    axes.plot(points[:, 0], points[:, 1], "o" if vertices is None else ".", markersize=chosen.get("point_size"))
-    if vertices is not None:
-        axes.plot(vertices[:, 0], vertices[:, 1], "o")
-    dashed = np.zeros(len(lines), bool) if is_open is None else is_open
-    for style, some in (("solid", lines[~dashed]), ("dashed", lines[dashed])):
-        axes.add_collection(LineCollection(list(some), linestyles=style, **look))
-    axes.margins(0.1)
-    return axes.figure
 
 
 def _rows_of(points: Any) -> Rows:
