@@ -34,6 +34,9 @@ static_assert(hasSigns<HalfSpaceGeometry>());
 /// four, and is shifted until it has 64 bits more than a denominator of degree three.
 constexpr int MostBitsInRows = 200;
 
+/// Positions of dual points are cut here: they are for orders.
+constexpr double MostPosition = 0x1p1000;
+
 /// The largest number of a normal.
 double sizeOf(const double* row)
 {
@@ -106,9 +109,6 @@ void dualPointOf(const double* row, const double* c, double* dual)
             return std::make_pair(
               k.difference(row[i], 0.0) * k.difference(1.0, 0.0, 2), depthAt(k, row, c));
           });
-    // A vertex is somewhere.
-    constexpr double most = std::numeric_limits<double>::max();
-    dual[i] = std::min(std::max(dual[i], -most), most);
   }
 }
 
@@ -138,22 +138,31 @@ double meetingPoint(const HalfSpaceRow* const* rows, int axis)
     });
 }
 
-/// Are both the same half-space, one's row a multiple of the other's? Both hold the interior.
-bool areSame(const HalfSpaceRow& a, const HalfSpaceRow& b)
+/// The order of dual points, exactly: by their first coordinates that differ. 0: both half-spaces
+/// are the same.
+int compareDuals(const double* a, const double* b, const double* c)
 {
-  const HalfSpaceRow* const rows[2] = { &a, &b };
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < 3; ++i)
   {
-    for (int j = i + 1; j < 4; ++j)
-    {
-      const int columns[2] = { i, j };
-      if (exactDeterminantSign<2>(rows, columns) != 0)
+    const int sign = exactSign(
+      [&](const auto& k, int& result)
       {
-        return false;
-      }
+        return k.sign(
+          k.difference(a[i], 0.0) * depthAt(k, b, c) - k.difference(b[i], 0.0) * depthAt(k, a, c),
+          result);
+      },
+      [&]
+      {
+        ExponentRange range = rangeAt(a, c);
+        std::for_each(b, b + 4, [&range](double x) { range.add(x); });
+        return range;
+      });
+    if (sign != 0)
+    {
+      return sign;
     }
   }
-  return true;
+  return 0;
 }
 
 class HalfSpaceRun : public GeometryRun<HalfSpaceGeometry>
@@ -263,6 +272,9 @@ private:
           {
             std::copy_n(position, dimension, result.dualPoints.data() + id * dimension);
           }
+          // Orders take finite positions.
+          std::transform(position, position + 3, position,
+            [](double x) { return std::min(std::max(x, -MostPosition), MostPosition); });
         }
         this->monitor.poll();
       });
@@ -289,15 +301,14 @@ private:
   }
 
   /// Those that are surely redundant, those without a border, and all but the first of several that
-  /// are the same. The same have one
-  /// dual point, rounded; others that have the same one are moved a little apart: their positions
+  /// are the same. Others that have one dual point, rounded, are moved a little apart: positions
   /// distinguish vertices.
   std::vector<std::uint32_t> excludedIds()
   {
-    const auto at = [this](std::uint32_t id) { return this->positions.data() + 3 * id; };
-    std::vector<std::uint32_t> excluded =
-      surelyRedundant(this->positions, this->threads, this->monitor);
-    std::vector<std::pair<double, std::uint32_t>> order; // most differ in the first coordinate
+    std::vector<std::uint32_t> excluded = this->view.dimension == 3
+      ? surelyRedundant(this->positions, this->threads, this->monitor)
+      : std::vector<std::uint32_t>();
+    std::vector<ByFirst> order;
     order.reserve(static_cast<std::size_t>(this->ownCount()) - excluded.size());
     std::vector<std::uint32_t> trivial;
     PointSubset::eachRemaining(
@@ -311,48 +322,69 @@ private:
         }
         else
         {
-          order.emplace_back(at(id)[0], id);
+          order.emplace_back(this->positions[3 * std::size_t(id)], id);
         }
       });
     excluded.insert(excluded.end(), trivial.begin(), trivial.end());
+    this->sortByDuals(order);
+    this->moveApart(order, excluded);
+    std::sort(excluded.begin(), excluded.end());
+    return excluded;
+  }
+
+  using ByFirst = std::pair<double, std::uint32_t>; ///< most differ in the first coordinate
+
+  /// By position, then exactly, then by id.
+  void sortByDuals(std::vector<ByFirst>& order)
+  {
+    StepPoll poll(this->monitor);
     std::sort(order.begin(), order.end(),
-      [&at](const auto& a, const auto& b)
+      [&](const ByFirst& a, const ByFirst& b)
       {
-        const double* const x = at(a.second);
-        const double* const y = at(b.second);
-        return a.first != b.first ? a.first < b.first
-          : x[1] != y[1]          ? x[1] < y[1]
-          : x[2] != y[2]          ? x[2] < y[2]
-                                  : a.second < b.second;
+        const double* const x = this->positions.data() + 3 * std::size_t(a.second);
+        const double* const y = this->positions.data() + 3 * std::size_t(b.second);
+        if (a.first != b.first)
+        {
+          return a.first < b.first;
+        }
+        if (x[1] != y[1] || x[2] != y[2])
+        {
+          return x[1] != y[1] ? x[1] < y[1] : x[2] < y[2];
+        }
+        poll.step();
+        const int sign = this->compareExactly(a.second, b.second);
+        return sign != 0 ? sign < 0 : a.second < b.second;
       });
-    std::vector<std::uint32_t> alike; // different half-spaces of one rounded position
-    const double* last = nullptr;     // the position before
+  }
+
+  int compareExactly(std::uint32_t a, std::uint32_t b) const
+  {
+    return compareDuals(
+      this->rows.data() + 4 * std::size_t(a), this->rows.data() + 4 * std::size_t(b), this->center);
+  }
+
+  /// Move those with one position a little apart, but exclude all but the first of the same.
+  void moveApart(const std::vector<ByFirst>& order, std::vector<std::uint32_t>& excluded)
+  {
+    const double* last = nullptr; // the position before
     double given[3] = { 0, 0, 0 };
-    for (const auto& entry : order)
+    for (std::size_t i = 0; i < order.size(); ++i)
     {
-      const std::uint32_t id = entry.second;
-      double* const x = at(id);
-      if (alike.empty() || !std::equal(x, x + 3, given))
-      {
-        std::copy_n(x, 3, given);
-        alike.clear();
-      }
-      const bool isDuplicate = std::any_of(alike.begin(), alike.end(),
-        [&](std::uint32_t other) { return areSame(this->table[other], this->table[id]); });
-      if (isDuplicate)
+      const std::uint32_t id = order[i].second;
+      double* const x = this->positions.data() + 3 * std::size_t(id);
+      const bool isHere = i > 0 && std::equal(x, x + 3, given);
+      if (isHere && this->compareExactly(order[i - 1].second, id) == 0)
       {
         excluded.push_back(id);
         continue;
       }
-      alike.push_back(id);
+      std::copy_n(x, 3, given);
       if (last && last[0] == x[0] && last[1] == x[1] && last[2] >= x[2])
       {
         x[2] = std::nextafter(last[2], HUGE_VAL);
       }
       last = x;
     }
-    std::sort(excluded.begin(), excluded.end());
-    return excluded;
   }
 
   /// The perturbed hull of the dual points. It grows from a small tetrahedron around the origin: of

@@ -84,16 +84,6 @@ double roundedConstraints(
   return most > 0 ? std::min(most, std::numeric_limits<double>::max()) : 1;
 }
 
-/// No margin is greater.
-template <int Dimension, class Number>
-HalfSpace<Dimension + 1, Number> limitOfMargin(const Number& most)
-{
-  HalfSpace<Dimension + 1, Number> limit{};
-  limit.normal[Dimension] = 1;
-  limit.bound = most;
-  return limit;
-}
-
 /// The best position and margin, rounded; false: none was found.
 /// @param unit of lengths
 template <int Dimension>
@@ -103,7 +93,10 @@ bool maximizeRounded(std::vector<HalfSpace<Dimension + 1>> constraints, double u
   {
     constraint.bound /= unit;
   }
-  constraints.push_back(limitOfMargin<Dimension, double>(1.0));
+  HalfSpace<Dimension + 1> limit{}; // of margins
+  limit.normal[Dimension] = 1;
+  limit.bound = 1;
+  constraints.push_back(limit);
   double objective[Dimension + 1] = {};
   objective[Dimension] = 1;
   const bool found = maximize<Dimension + 1>(objective, constraints, 0x1p20, best);
@@ -111,104 +104,177 @@ bool maximizeRounded(std::vector<HalfSpace<Dimension + 1>> constraints, double u
   return found && best[Dimension] > 0;
 }
 
-/// The constraint that a position with a margin satisfies least, as far as rounding shows.
-/// @param x must not be beyond doubles by itself
-template <int Dimension>
-std::size_t leastSatisfied(
-  const std::vector<HalfSpace<Dimension>>& constraints, const Rational* x, Monitor& monitor)
-{
-  Rational size = 1;
-  for (int i = 0; i < Dimension; ++i)
-  {
-    size = std::max<Rational>(size, abs(x[i]));
-  }
-  double rounded[Dimension];
-  std::transform(x, x + Dimension, rounded,
-    [&size](const Rational& a) { return Rational(a / size).template convert_to<double>(); });
-  const double share = Rational(1 / size).template convert_to<double>();
-  StepPoll poll(monitor);
-  std::size_t worst = 0;
-  double most = -HUGE_VAL;
-  for (std::size_t i = 0; i < constraints.size(); ++i)
-  {
-    poll.step();
-    HalfSpace<Dimension> scaled = constraints[i];
-    scaled.bound *= share;
-    const double excess = excessOf(scaled, rounded);
-    if (excess > most)
-    {
-      most = excess;
-      worst = i;
-    }
-  }
-  return worst;
-}
+/// Vertices of these programmes are quotients of determinants of doubles: below two to this.
+constexpr int Beyond = 9000;
 
-/// The exact optimum, over a growing set of constraints: each time one that its optimum does not
-/// satisfy joins.
-/// @param constraints the same in doubles, in the order of the rows that have a border
-/// @param inDoubles   only positions in the range of doubles count
+/// The exact programme: over a growing set of constraints, to which one joins that the optimum so
+/// far does not satisfy.
 template <int Dimension>
-void maximizeExactly(const HalfSpaceRows& rows,
-  const std::vector<HalfSpace<Dimension + 1>>& constraints, double unit, bool inDoubles,
-  Rational* best, Monitor& monitor)
+class ExactProgram
 {
-  std::vector<const double*> bordered;
-  for (std::size_t i = 0; i < rows.size(); i += 4)
+public:
+  static constexpr int Variables = Dimension + 1; ///< a position and its margin
+  using Constraint = HalfSpace<Variables, Rational>;
+
+  /// @param rounded the same in doubles, in the order of the rows that have a border
+  ExactProgram(
+    const HalfSpaceRows& rows, const std::vector<HalfSpace<Variables>>& rounded, Monitor& monitor)
+    : rounded(rounded)
+    , monitor(monitor)
   {
-    if (!hasNoNormal(rows.data() + i))
+    for (std::size_t i = 0; i < rows.size(); i += 4)
     {
-      bordered.push_back(rows.data() + i);
+      if (!hasNoNormal(rows.data() + i))
+      {
+        this->bordered.push_back(rows.data() + i);
+      }
     }
   }
-  // Quotients of doubles are below 2^2098: so the origin has a margin in this box.
-  const Rational box(boost::multiprecision::cpp_int(1) << 2100);
-  Rational objective[Dimension + 1];
-  objective[Dimension] = 1;
-  std::vector<HalfSpace<Dimension + 1, Rational>> chosen;
-  chosen.push_back(limitOfMargin<Dimension, Rational>(2 * Rational(unit)));
-  for (int i = 0; i < 2 * Dimension && inDoubles; ++i)
+
+  /// Maximise a variable, or minimise it.
+  /// @param limits   of the programme's own
+  /// @param exponent no variable is beyond 2^exponent
+  /// @return false: nothing satisfies the limits
+  bool optimize(
+    int variable, int sign, const std::vector<Constraint>& limits, int exponent, Rational* best)
   {
-    HalfSpace<Dimension + 1, Rational> wall;
-    wall.normal[i / 2] = i % 2 ? 1 : -1;
-    wall.bound = Rational(std::numeric_limits<double>::max());
-    chosen.push_back(wall);
-  }
-  StepPoll poll(monitor);
-  while (true)
-  {
-    ensure(maximize<Dimension + 1, Rational>(objective, chosen, box, best));
-    const auto isViolated = [&](std::size_t i)
+    const Rational box(boost::multiprecision::cpp_int(1) << exponent);
+    Rational objective[Variables];
+    objective[variable] = sign;
+    while (true)
     {
-      poll.step();
-      const auto constraint = constraintOf<Dimension, Rational>(bordered[i]);
-      if (excessOf(constraint, best) > 0)
+      std::vector<Constraint> all = limits;
+      all.insert(all.end(), this->chosen.begin(), this->chosen.end());
+      if (!maximize<Variables, Rational>(objective, all, box, best))
       {
-        chosen.push_back(constraint);
+        return false;
+      }
+      std::size_t worst = this->leastSatisfied(best);
+      worst = this->isViolated(worst, best) ? worst : this->exactlyLeastSatisfied(best);
+      if (!this->isViolated(worst, best))
+      {
         return true;
       }
-      return false;
-    };
-    bool isOptimum =
-      constraints.empty() || !isViolated(leastSatisfied<Dimension + 1>(constraints, best, monitor));
-    for (std::size_t i = 0; i < constraints.size() && isOptimum; ++i)
-    {
-      isOptimum = !isViolated(i);
+      this->chosen.push_back(constraintOf<Dimension, Rational>(this->bordered[worst]));
     }
-    if (isOptimum)
+  }
+
+private:
+  /// @param i as many as there are: none
+  bool isViolated(std::size_t i, const Rational* x) const
+  {
+    return i < this->bordered.size() && this->excess(i, x) > 0;
+  }
+
+  Rational excess(std::size_t i, const Rational* x) const
+  {
+    const Constraint constraint = constraintOf<Dimension, Rational>(this->bordered[i]);
+    return excessOf(constraint, x) / constraint.normal[Dimension];
+  }
+
+  /// As far as rounding shows: in units of the largest variable.
+  std::size_t leastSatisfied(const Rational* x) const
+  {
+    Rational size = 1;
+    for (int i = 0; i < Variables; ++i)
     {
-      return;
+      size = std::max<Rational>(size, abs(x[i]));
     }
+    double scaled[Variables];
+    std::transform(x, x + Variables, scaled,
+      [&size](const Rational& a) { return Rational(a / size).template convert_to<double>(); });
+    const double share = Rational(1 / size).template convert_to<double>();
+    StepPoll poll(this->monitor);
+    std::size_t worst = this->rounded.size();
+    double most = -HUGE_VAL;
+    for (std::size_t i = 0; i < this->rounded.size(); ++i)
+    {
+      poll.step();
+      HalfSpace<Variables> constraint = this->rounded[i];
+      constraint.bound *= share;
+      const double value = excessOf(constraint, scaled);
+      if (value > most)
+      {
+        most = value;
+        worst = i;
+      }
+    }
+    return worst;
+  }
+
+  std::size_t exactlyLeastSatisfied(const Rational* x) const
+  {
+    StepPoll poll(this->monitor);
+    std::size_t worst = this->bordered.size();
+    Rational most = 0;
+    for (std::size_t i = 0; i < this->bordered.size(); ++i)
+    {
+      poll.step();
+      const Rational value = this->excess(i, x);
+      if (value > most)
+      {
+        most = value;
+        worst = i;
+      }
+    }
+    return worst;
+  }
+
+  const std::vector<HalfSpace<Variables>>& rounded;
+  Monitor& monitor;
+  std::vector<const double*> bordered;
+  std::vector<Constraint> chosen;
+};
+
+/// normal . variables <= bound, of one variable.
+template <int Variables>
+HalfSpace<Variables, Rational> limitOf(int variable, int sign, const Rational& bound)
+{
+  HalfSpace<Variables, Rational> limit;
+  limit.normal[variable] = sign;
+  limit.bound = bound;
+  return limit;
+}
+
+/// The middle of positions that are half as deep inside as the best: the mean of those that are
+/// furthest along the axes, not much further away than the best is.
+template <int Dimension>
+void centerExactly(ExactProgram<Dimension>& program, double unit, Rational* best)
+{
+  constexpr int Variables = Dimension + 1;
+  std::vector<HalfSpace<Variables, Rational>> limits;
+  const Rational half = best[Dimension] / 2;
+  limits.push_back(limitOf<Variables>(Dimension, 1, half));
+  limits.push_back(limitOf<Variables>(Dimension, -1, -half));
+  for (int axis = 0; axis < Dimension; ++axis)
+  {
+    const Rational reach = 4 * std::max<Rational>(abs(best[axis]), Rational(unit));
+    limits.push_back(limitOf<Variables>(axis, 1, reach));
+    limits.push_back(limitOf<Variables>(axis, -1, reach));
+  }
+  Rational sum[Dimension];
+  for (int i = 0; i < 2 * Dimension; ++i)
+  {
+    Rational end[Variables];
+    ensure(program.optimize(i / 2, i % 2 ? 1 : -1, limits, Beyond, end));
+    for (int axis = 0; axis < Dimension; ++axis)
+    {
+      sum[axis] += end[axis];
+    }
+  }
+  for (int axis = 0; axis < Dimension; ++axis)
+  {
+    best[axis] = sum[axis] / (2 * Dimension);
   }
 }
 
 template <int Dimension>
 Intersection findInteriorIn(const HalfSpaceRows& rows, double* c, Monitor& monitor)
 {
-  std::vector<HalfSpace<Dimension + 1>> constraints;
+  constexpr int Variables = Dimension + 1;
+  std::vector<HalfSpace<Variables>> constraints;
   const double unit = roundedConstraints<Dimension>(rows, constraints);
-  double rounded[Dimension + 1];
-  const auto isInside = [&](const auto& coordinate)
+  const auto takeIfInside = [&](const auto& coordinate)
   {
     for (int i = 0; i < 3; ++i)
     {
@@ -216,21 +282,45 @@ Intersection findInteriorIn(const HalfSpaceRows& rows, double* c, Monitor& monit
     }
     return isFinite(c) && firstNotHolding(rows, c, monitor) < 0;
   };
-  if (maximizeRounded<Dimension>(constraints, unit, rounded) &&
-    isInside([&](int i) { return rounded[i]; }))
+  double rounded[Variables];
+  if ((maximizeRounded<Dimension>(constraints, unit, rounded) &&
+        takeIfInside([&](int i) { return rounded[i]; })) ||
+    takeIfInside([](int) { return 0.0; }))
   {
     return Intersection::Bounded;
   }
-  Rational best[Dimension + 1];
-  for (const bool inDoubles : { false, true })
+  ExactProgram<Dimension> program(rows, constraints, monitor);
+  // No ball in a bounded intersection has a greater radius.
+  std::vector<HalfSpace<Variables, Rational>> limits{ limitOf<Variables>(
+    Dimension, 1, 2 * Rational(unit)) };
+  Rational best[Variables];
+  // Small numbers, where they are enough: only the last decide that there is no inside.
+  for (const int exponent : { std::ilogb(unit) + 64, Beyond })
   {
-    maximizeExactly<Dimension>(rows, constraints, unit, inDoubles, best, monitor);
-    const int margin = best[Dimension].sign();
-    if (margin <= 0 && !inDoubles)
+    if (program.optimize(Dimension, 1, limits, exponent, best) && best[Dimension] > 0)
     {
-      return margin < 0 ? Intersection::Empty : Intersection::Flat;
+      break;
     }
-    if (isInside([&](int i) { return best[i].template convert_to<double>(); }))
+    if (exponent == Beyond)
+    {
+      return best[Dimension] < 0 ? Intersection::Empty : Intersection::Flat;
+    }
+  }
+  for (int axis = 0; axis < Dimension; ++axis)
+  {
+    const Rational most(std::numeric_limits<double>::max());
+    limits.push_back(limitOf<Variables>(axis, 1, most));
+    limits.push_back(limitOf<Variables>(axis, -1, most));
+  }
+  if (program.optimize(Dimension, 1, limits, Beyond, best) && best[Dimension] > 0)
+  {
+    const auto nearest = [&](int i) { return best[i].template convert_to<double>(); };
+    if (takeIfInside(nearest))
+    {
+      return Intersection::Bounded;
+    }
+    centerExactly<Dimension>(program, unit, best);
+    if (takeIfInside(nearest))
     {
       return Intersection::Bounded;
     }

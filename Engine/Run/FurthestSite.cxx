@@ -11,6 +11,7 @@
 #include "Support/EngineCall.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,44 @@ namespace
 {
 
 static_assert(hasSigns<FurthestGeometry>());
+
+/// Directions from the kernel point, in which a triangle around it is spread: neighbours along a
+/// hull are near each other in these, however thin it is.
+OctahedralMap directionsOf(
+  const LiftedGeometry<false>& geometry, const std::vector<Vertex>& triangle)
+{
+  double unit[2] = { 0, 0 };
+  for (int i = 0; i < 2; ++i)
+  {
+    for (const Vertex& v : triangle)
+    {
+      unit[i] = std::max(unit[i], std::fabs(v.x[i] - geometry.kernel()[i]));
+    }
+  }
+  const bool isInRange =
+    std::min(unit[0], unit[1]) > 0x1p-500 && std::max(unit[0], unit[1]) < 0x1p500;
+  double moment[3] = { 0, 0, 0 }; // of xx, xy, yy, in these units
+  for (const Vertex& v : triangle)
+  {
+    const double x = isInRange ? (v.x[0] - geometry.kernel()[0]) / unit[0] : 0;
+    const double y = isInRange ? (v.x[1] - geometry.kernel()[1]) / unit[1] : 0;
+    moment[0] += x * x;
+    moment[1] += x * y;
+    moment[2] += y * y;
+  }
+  // The inverse of their Cholesky factor, as octahedralMapOf has it.
+  double basis[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  const double rest = moment[2] - moment[1] * moment[1] / moment[0];
+  if (isInRange && rest > 0)
+  {
+    const double second = 1 / std::sqrt(rest);
+    basis[0][0] = 1 / (std::sqrt(moment[0]) * unit[0]);
+    basis[1][0] = -second * moment[1] / moment[0] / unit[0];
+    basis[1][1] = second / unit[1];
+  }
+  const double kernel[3] = { geometry.kernel()[0], geometry.kernel()[1], 0 };
+  return OctahedralMap(kernel, basis);
+}
 
 class FurthestSiteRun : public TriangulationRun<false>
 {
@@ -47,6 +86,7 @@ private:
       return;
     }
     Polyhedron start = startingTetrahedron(this->geometry, this->source, span.ids);
+    const std::vector<Vertex> startCorners(start.vertices.begin(), start.vertices.begin() + 3);
     FurthestGeometry turned(this->geometry);
     const BuildTask<FurthestGeometry> task{ turned, this->source, this->range, this->checkFinite,
       this->options, this->threads, this->monitor, {} };
@@ -56,8 +96,8 @@ private:
     subset.checkFinite = this->checkFinite;
     subset.exclude(corners);
     Tally tally;
-    Polyhedron polyhedron = insertAlongCurve(
-      task, std::move(start), subset, OctahedralMap(), 0.1, 0.9, tally, result.statistics);
+    Polyhedron polyhedron = insertAlongCurve(task, std::move(start), subset,
+      directionsOf(this->geometry, startCorners), 0.1, 0.9, tally, result.statistics);
     this->watch.lap();
     result.dimension = 2;
     this->monitor.stage(0.9, 1.0, 1, "finishing");

@@ -56,7 +56,13 @@ bool maximizeOnLine(const Number& objective, const std::vector<HalfSpace<1, Numb
       return false;
     }
   }
-  x = objective >= 0 ? high : low;
+  // A variable that does not matter is in the middle, or near 0 where there is none.
+  const bool isClosed = low > -box && high < box;
+  const Number zero = 0;
+  x = objective > 0 ? high
+    : objective < 0 ? low
+    : isClosed      ? Number((low + high) / 2)
+                    : std::min(std::max(zero, low), high);
   return low <= high + Slack<Number>;
 }
 
@@ -155,7 +161,7 @@ bool maximizeInOrder(const Number* objective,
   {
     for (int i = 0; i < Dimension; ++i)
     {
-      x[i] = objective[i] >= 0 ? box : Number(-box);
+      x[i] = objective[i] > 0 ? box : objective[i] < 0 ? Number(-box) : Number(0);
     }
     for (std::size_t k = 0; k < count; ++k)
     {

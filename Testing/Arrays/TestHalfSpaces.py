@@ -71,6 +71,14 @@ class TestArrays(unittest.TestCase):
                 if kind == "bounded":
                     np.testing.assert_array_equal(found.facets, np.arange(4))
 
+    def test_sizes_at_any_magnitude(self):
+        for size in (1e-200, 1e150):
+            found = half_space_intersection(np.empty((0, 3)), bounds=(-size, size, -size, size))
+            np.testing.assert_allclose([found.volume, found.area], [4 * size * size, 8 * size])
+            planes = spatial.HalfspaceIntersection(found.half_spaces, (0, 0)).dual_equations
+            np.testing.assert_allclose(np.abs(planes[:, :2]), 0.5**0.5)
+            np.testing.assert_allclose(planes[:, 2], -(0.5**0.5) / size)
+
     def test_bounds(self):
         found = half_space_intersection([[1, 1, -1]], bounds=(0, 4, 0, 5))
         self.assertEqual((found.kind, found.volume), ("bounded", 0.5))

@@ -104,6 +104,15 @@ class HalfSpaceIntersection(Frozen):
 
 def sizes_of(positions: Floats, facets: Polygons) -> tuple[float, float]:
     """Volume and surface of a solid around the origin, or area and perimeter of a polygon; rounded."""
+    exponent = int(np.frexp(np.abs(positions).max())[1])
+    unit = np.ldexp(1.0, min(exponent, 1023))  # so that no product overflows or vanishes
+    volume, area = _sizes_of(positions / unit, facets)
+    ndim = positions.shape[1]
+    with np.errstate(over="ignore"):
+        return float(volume * unit**ndim), float(area * unit ** (ndim - 1))
+
+
+def _sizes_of(positions: Floats, facets: Polygons) -> tuple[float, float]:
     sizes = np.diff(facets.offsets)
     first = np.repeat(facets.connectivity[facets.offsets[:-1]], sizes)
     here, following = facets.connectivity, np.roll(facets.connectivity, -1)

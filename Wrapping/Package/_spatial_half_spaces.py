@@ -126,8 +126,9 @@ class HalfspaceIntersection(Incremental):
     @cached_property
     def dual_equations(self) -> Rows:
         arms = self._found.vertices - self.interior_point
-        lengths = np.linalg.norm(arms, axis=1)[:, None]
-        return np.column_stack([arms / lengths, -1 / lengths])
+        sizes = np.abs(arms).max(axis=1, keepdims=True)
+        lengths = np.linalg.norm(arms / sizes, axis=1, keepdims=True)
+        return np.column_stack([arms / sizes / lengths, -1 / lengths / sizes])
 
     @property
     def dual_volume(self) -> float:

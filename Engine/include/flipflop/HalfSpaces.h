@@ -67,9 +67,9 @@ struct HalfSpaceIntersection : CellComplex
 ///                   found
 /// @param options    threads, progress; they change no bit of the result
 /// @throw Error      BadArgument: with the index of the first half-space that does not hold the
-///                   interior strictly inside; or where no double is strictly inside; or where
-///                   vertices are beyond doubles. NonFinite (index: of the half-space),
-///                   TooManyPoints, OutOfMemory, Aborted
+///                   interior strictly inside; or where no position in doubles is found strictly
+///                   inside; or where vertices or the interior are beyond about 2^1020. NonFinite
+///                   (index: of the half-space), TooManyPoints, OutOfMemory, Aborted
 HalfSpaceIntersection halfSpaceIntersection(const HalfSpaceView& halfSpaces,
   const double* interior = nullptr, const Options& options = Options());
 

@@ -513,6 +513,65 @@ TEST(HalfSpaces, OfBordersBeyondDoubles)
   EXPECT_EQ(intersectionOf({ rows.back() }, 3).kind, Intersection::Unbounded);
 }
 
+/// Thin, wide, or open along an axis: an interior is found, in doubles.
+TEST(HalfSpaces, FindInteriorsOfThinAndOpenSets)
+{
+  const double far = 1e8;
+  for (const std::vector<Row>& rows :
+    { std::vector<Row>{ { 1, 0, 0, -1e-17 }, { -1, 0, 0, -1e-17 }, { 0, 1, 0, -1 },
+        { 0, -1, 0, -1 }, { 0, 0, 1, -1 }, { 0, 0, -1, -1 } },
+      { { 1, 1, 1, -(far + 0x1p-24) }, { -1, -1, -1, far } },
+      { { 0x1p-1000, 0, 0, -0x1p1000 }, { -1, 0, 0, 1 } }, { { 1, 0, 0, 1.7e308 } } })
+  {
+    const HalfSpaceIntersection found = intersectionOf(rows, 3);
+    for (const Row& row : rows)
+    {
+      EXPECT_LT(excess(row, { found.interior[0], found.interior[1], found.interior[2] }), 0);
+    }
+  }
+  const double least = 0x1p-1074;
+  EXPECT_EQ(intersectionOf({ { least, 0, 0, 1e308 }, { -least, 0, 0, 1e308 } }, 3).kind,
+    Intersection::Empty);
+  EXPECT_EQ(intersectionOf({ { least, 0, 0, 1e308 }, { -least, 0, 0, -1e308 } }, 3).kind,
+    Intersection::Flat);
+}
+
+/// Sorted, and open along an axis: the work grows with their number alone.
+TEST(HalfSpaces, OfManyThatAreEmpty)
+{
+  std::vector<Row> rows;
+  for (int i = 0; i < 3000; ++i)
+  {
+    rows.push_back({ 1, 0, 0, double(i) });
+  }
+  rows.push_back({ -1, 0, 0, 0 });
+  EXPECT_EQ(intersectionOf(rows, 3).kind, Intersection::Empty);
+  rows.pop_back();
+  rows.push_back({ -1, 0, 0, -2999 });
+  EXPECT_EQ(intersectionOf(rows, 3).kind, Intersection::Flat);
+}
+
+/// Multiples of one half-space, rounded: their dual points are one, rounded.
+TEST(HalfSpaces, OfManyNearlyTheSame)
+{
+  Random random(9);
+  std::vector<Row> rows{ { 1, 0, 0, -1 }, { -1, 0, 0, -1 }, { 0, 1, 0, -1 }, { 0, -1, 0, -1 },
+    { 0, 0, 1, -1 }, { 0, 0, -1, -1 } };
+  for (int i = 0; i < 3000; ++i)
+  {
+    const double scale = i % 3 ? random.uniform(1, 2) : 1.5;
+    rows.push_back({ 0.6 * scale, 0.8 * scale, 0.3 * scale, -0.9 * scale });
+  }
+  const HalfSpaceIntersection found = intersectionOf(rows, 3);
+  std::vector<Row> few;
+  for (const std::int64_t id : found.pointIds)
+  {
+    few.push_back(rows[static_cast<std::size_t>(id)]);
+  }
+  ASSERT_LT(few.size(), 40u);
+  EXPECT_EQ(faultOf(few, 3, intersectionOf(few, 3)), "");
+}
+
 ErrorCode codeOf(const std::vector<Row>& rows, const double* interior, std::int64_t* index)
 {
   try
