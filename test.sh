@@ -87,7 +87,8 @@ print(*tomllib.load(open(sys.argv[1], "rb"))["build-system"]["requires"])' "$top
     "$top/Testing/Wheel/TestImports.py"
   begin "Test: the wheel with PyVista and the newest VTK"
   in_clean pyvista "$wheel[pyvista,vtk] pytest scipy mypy shapely geopandas rasterio scikit-fem meshio h5py" "$top/Testing/Python" \
-    "$top/Testing/Wheel" "$top/Testing/Arrays/TestForms.py" "$top/Testing/Arrays/TestTyping.py" "$top/Testing/Arrays/TestSpatial.py"
+    "$top/Testing/Wheel" "$top/Testing/Arrays/TestForms.py" "$top/Testing/Arrays/TestTyping.py" "$top/Testing/Arrays/TestSpatial.py" \
+    "$top/Testing/Arrays/TestClipped.py" "$top/Testing/Arrays/TestSelection.py" "$top/Testing/Arrays/TestLines.py"
   test_both_kinds "$wheels/clean-pyvista"
 }
 
