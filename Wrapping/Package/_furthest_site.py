@@ -30,13 +30,8 @@ class FurthestSiteTriangulation(PlanarCells):
     _call: ClassVar[str] = "furthest_site_triangulation(points)"
 
     @cached_property
-    def vertices(self) -> Ids:
-        """Ids of the corners of the convex hull, ascending."""
-        return self._core.vertices()
-
-    @cached_property
     def hidden(self) -> Ids:
-        """Ids of all other points, ascending."""
+        """Ids of the points that are no corners of the convex hull, ascending."""
         return self._core.hidden()
 
     @cached_property

@@ -43,7 +43,8 @@ class HalfSpaceIntersection(Frozen):
     facets_at_vertices : Polygons
         for each vertex the half-spaces whose facets meet there, exactly; counter-clockwise from outside
     dual_points : ndarray of n by 3, or n by 2
-        normal / -(normal @ interior_point + offset), rounded once; the hull's vertices are `facets`
+        normal / -(normal @ interior_point + offset), rounded once; the hull's vertices are `facets`. Without an
+        interior there are none.
     statistics : dict
         counts and seconds
     """

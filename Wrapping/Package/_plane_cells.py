@@ -28,7 +28,7 @@ class PlanarCells(Cells):
     @cached_property
     def vertices(self) -> Ids:
         """Ids of the points that appear, ascending."""
-        raise NotImplementedError
+        return self._core.vertices()
 
     @property
     def areas(self) -> Floats:

@@ -37,12 +37,6 @@ class RescaledTriangulation(LocatedCells):
     _call: ClassVar[str] = "regular_triangulation(points, rescale=True)"
 
     @property
-    def vertices(self) -> Ids:
-        """Ids of the points that appear, ascending."""
-        ids: Ids = self.scaled.vertices
-        return ids
-
-    @property
     def hidden(self) -> Ids:
         """Ids of the points that do not appear, ascending: duplicates."""
         ids: Ids = self.scaled.hidden

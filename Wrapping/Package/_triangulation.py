@@ -60,11 +60,6 @@ class RegularTriangulation(LocatedCells):
     _call: ClassVar[str] = "regular_triangulation(points)"
 
     @cached_property
-    def vertices(self) -> Ids:
-        """Ids of the points that appear, ascending."""
-        return self._core.vertices()
-
-    @cached_property
     def hidden(self) -> Ids:
         """Ids of the points that do not appear, ascending: duplicates, and points whose cell is empty."""
         return self._core.hidden()
