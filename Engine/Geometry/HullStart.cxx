@@ -130,18 +130,24 @@ void centerKernel(HullGeometry& geometry, const Polyhedron& polyhedron)
 
 OctahedralMap octahedralMapOf(const HullGeometry& geometry, const Polyhedron& polyhedron)
 {
-  // Second moments around the kernel point, in units of the extent.
   double unit[3];
   const bool isInRange = geometry.extent(unit);
-  const double* const kernel = geometry.kernel();
+  return octahedralMapOf(geometry.kernel(), isInRange ? unit : nullptr, polyhedron.vertices.data(),
+    polyhedron.vertexCount());
+}
+
+OctahedralMap octahedralMapOf(
+  const double* from, const double* unit, const Vertex* vertices, std::size_t count)
+{
+  // Second moments around the position, in the units.
   double moment[3][3] = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } };
-  const double share = 1.0 / static_cast<double>(polyhedron.vertexCount());
-  for (const Vertex& v : polyhedron.vertices)
+  const double share = 1.0 / static_cast<double>(count);
+  for (std::size_t vertex = 0; vertex < count; ++vertex)
   {
     double d[3];
     for (int i = 0; i < 3; ++i)
     {
-      d[i] = isInRange ? (v.x[i] - kernel[i]) / unit[i] : 0;
+      d[i] = unit ? (vertices[vertex].x[i] - from[i]) / unit[i] : 0;
       for (int k = 0; k <= i; ++k)
       {
         moment[i][k] += share * d[i] * d[k];
@@ -178,10 +184,10 @@ OctahedralMap octahedralMapOf(const HullGeometry& geometry, const Polyhedron& po
   {
     for (int k = 0; k <= i; ++k)
     {
-      inverse[i][k] /= isInRange ? unit[k] : 1;
+      inverse[i][k] /= unit ? unit[k] : 1;
     }
   }
-  return OctahedralMap(kernel, inverse);
+  return OctahedralMap(from, inverse);
 }
 
 }

@@ -11,6 +11,7 @@
 #include "Mesh/Polyhedron.h"
 #include "Points/PointSource.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace flipflop
@@ -40,6 +41,12 @@ void centerKernel(HullGeometry& geometry, const Polyhedron& polyhedron);
 /// Directions from the kernel point, in the axes of a polyhedron's vertices: those of a thin or
 /// slanted one are spread as a ball's.
 OctahedralMap octahedralMapOf(const HullGeometry& geometry, const Polyhedron& polyhedron);
+
+/// The same from any position, in the axes of some vertices.
+/// @param unit of each coordinate: about how far vertices are from the position; null: their axes
+///             are not spread
+OctahedralMap octahedralMapOf(
+  const double* from, const double* unit, const Vertex* vertices, std::size_t count);
 
 }
 

@@ -26,6 +26,12 @@ struct HalfSpaceRow
   Bounded<DoubleDouble> farDepth; ///< the same in double-double
 };
 
+/// Is the normal zero? Then all positions are inside, or none: there is no border.
+inline bool hasNoNormal(const double* row)
+{
+  return row[0] == 0 && row[1] == 0 && row[2] == 0;
+}
+
 /// An entry of a row, in an arithmetic. The last column is the depth, or the bound.
 /// @{
 inline Bounded<double> entryOf(

@@ -11,12 +11,14 @@
 #include "Geometry/GeometryConcept.h"
 #include "Geometry/HullStart.h"
 #include "HalfSpaces/HalfSpaceGeometry.h"
+#include "HalfSpaces/HalfSpacePositions.h"
 #include "HalfSpaces/InteriorPoint.h"
 #include "HalfSpaces/SurelyRedundant.h"
 #include "Run/GeometryRun.h"
 #include "Support/EngineCall.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -29,10 +31,6 @@ namespace
 {
 
 static_assert(hasSigns<HalfSpaceGeometry>());
-
-/// Of integers of up to so many bits, what is rounded here fits the stack: a numerator has degree
-/// four, and is shifted until it has 64 bits more than a denominator of degree three.
-constexpr int MostBitsInRows = 200;
 
 /// Positions of dual points are cut here: they are for orders.
 constexpr double MostPosition = 0x1p1000;
@@ -76,93 +74,6 @@ HalfSpaceRows rowsOf(const HalfSpaceView& view)
     throw Error(ErrorCode::NonFinite, firstNonFinite, nonFinite);
   }
   return rows;
-}
-
-/// A fraction of the numbers of a range, rounded to nearest; infinite beyond doubles.
-/// @param fraction void (k, numerator, denominator): the numerator of one degree more
-template <class Fraction>
-double roundedFraction(const ExponentRange& range, const Fraction& fraction)
-{
-  double result = 0;
-  const auto recipe = [&](const auto& k)
-  {
-    const auto parts = fraction(k);
-    return k.round(0.0, parts.first, parts.second, result);
-  };
-  if (!recipe(BoundedArithmetic<>()))
-  {
-    ensure(inIntegers(range, MostBitsInRows, recipe));
-  }
-  return result;
-}
-
-/// The dual point of a half-space.
-void dualPointOf(const double* row, const double* c, double* dual)
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    dual[i] = row[i] == 0
-      ? 0.0
-      : roundedFraction(rangeAt(row, c),
-          [&](const auto& k)
-          {
-            return std::make_pair(
-              k.difference(row[i], 0.0) * k.difference(1.0, 0.0, 2), depthAt(k, row, c));
-          });
-  }
-}
-
-/// Where the borders of three half-spaces meet: Cramer's rule, along an axis.
-double meetingPoint(const HalfSpaceRow* const* rows, int axis)
-{
-  ExponentRange range;
-  range.add(1.0);
-  for (int i = 0; i < 3; ++i)
-  {
-    std::for_each(rows[i]->number, rows[i]->number + 4, [&](double x) { range.add(x); });
-  }
-  return roundedFraction(range,
-    [&](const auto& k)
-    {
-      // In the column of the axis, the bounds.
-      const auto entry = [&](int i, int column)
-      { return k.difference(rows[i]->number[column == axis ? 3 : column], 0.0); };
-      const auto of = [&](const auto& at)
-      {
-        const auto minor = [&](int i, int j) { return at(i, 1) * at(j, 2) - at(i, 2) * at(j, 1); };
-        return at(0, 0) * minor(1, 2) - at(1, 0) * minor(0, 2) + at(2, 0) * minor(0, 1);
-      };
-      const auto plain = [&](int i, int column)
-      { return k.difference(rows[i]->number[column], 0.0); };
-      return std::make_pair(of(entry) * k.difference(1.0, 0.0), of(plain));
-    });
-}
-
-/// The order of dual points, exactly: by their first coordinates that differ. 0: both half-spaces
-/// are the same.
-int compareDuals(const double* a, const double* b, const double* c)
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    const int sign = exactSign(
-      [&](const auto& k, int& result)
-      {
-        return k.sign(
-          k.difference(a[i], 0.0) * depthAt(k, b, c) - k.difference(b[i], 0.0) * depthAt(k, a, c),
-          result);
-      },
-      [&]
-      {
-        ExponentRange range = rangeAt(a, c);
-        std::for_each(b, b + 4, [&range](double x) { range.add(x); });
-        return range;
-      });
-    if (sign != 0)
-    {
-      return sign;
-    }
-  }
-  return 0;
 }
 
 class HalfSpaceRun : public GeometryRun<HalfSpaceGeometry>
@@ -264,7 +175,7 @@ private:
         {
           this->setRow(id, this->rows.data() + 4 * id, interior);
           double* const position = this->positions.data() + 3 * id;
-          if (!this->isTrivial(id))
+          if (!hasNoNormal(this->rows.data() + 4 * id))
           {
             dualPointOf(this->rows.data() + 4 * id, interior, position);
           }
@@ -293,13 +204,6 @@ private:
       entry.farDepth.error + NearUnit * std::fabs(entry.farDepth.value.high) };
   }
 
-  /// Is the normal zero? Then all positions are inside: there is no border.
-  bool isTrivial(std::size_t id) const
-  {
-    const double* const row = this->rows.data() + 4 * id;
-    return row[0] == 0 && row[1] == 0 && row[2] == 0;
-  }
-
   /// Those that are surely redundant, those without a border, and all but the first of several that
   /// are the same. Others that have one dual point, rounded, are moved a little apart: positions
   /// distinguish vertices.
@@ -316,7 +220,7 @@ private:
       excluded.data(), excluded.data() + excluded.size(), nullptr,
       [&](std::uint32_t id)
       {
-        if (this->isTrivial(id))
+        if (hasNoNormal(this->rows.data() + 4 * std::size_t(id)))
         {
           trivial.push_back(id);
         }
@@ -397,38 +301,78 @@ private:
     PointSubset subset;
     subset.count = static_cast<std::uint32_t>(this->ownCount());
     subset.exclude(excluded);
+    const OctahedralMap map = this->directions(subset);
+    // Signs of less extreme numbers are quicker, and nearly always enough.
     for (const int exponent : { 64, 512, 1023 })
     {
-      tally = Tally();
-      polyhedron = insertAlongCurve(this->task({}), this->farTetrahedron(exponent), subset,
-        OctahedralMap(Origin, Axes), 0.1, 0.9, tally, statistics);
-      const Vertex* const v = polyhedron.vertices.data();
-      if (std::none_of(v, v + 4, [](const Vertex& far) { return far.flags & VertexAlive; }))
+      const std::array<FarRow, 4> far = this->farRows(exponent);
+      if (std::all_of(far.begin(), far.end(),
+            [this](const FarRow& row) { return depthSign(row.data(), this->center) > 0; }))
       {
-        return true;
+        tally = Tally();
+        polyhedron = insertAlongCurve(
+          this->task({}), this->tetrahedronOf(far), subset, map, 0.1, 0.9, tally, statistics);
+        const Vertex* const v = polyhedron.vertices.data();
+        if (std::none_of(v, v + 4, [](const Vertex& one) { return one.flags & VertexAlive; }))
+        {
+          return true;
+        }
       }
       if (exponent == 64 && !areNormalsAllAround(this->rows, this->threads))
       {
         return false;
       }
     }
-    throw badArgument("the intersection's vertices must be in the range of doubles");
+    throw badArgument(
+      "the intersection's vertices and the interior point must be in the range of doubles");
   }
 
-  Polyhedron farTetrahedron(int exponent)
+  using FarRow = std::array<double, 4>;
+
+  std::array<FarRow, 4> farRows(int exponent) const
   {
-    static constexpr double normal[4][3] = { { 1, 1, 1 }, { -1, -1, 1 }, { -1, 1, -1 },
-      { 1, -1, -1 } };
-    const double scale = this->greatestSize();
+    const double bound = std::min(std::ldexp(this->greatestSize(), exponent), 0x1p1023);
+    return { FarRow{ 1, 1, 1, bound }, FarRow{ -1, -1, 1, bound }, FarRow{ -1, 1, -1, bound },
+      FarRow{ 1, -1, -1, bound } };
+  }
+
+  /// From the origin, in the axes of some dual points.
+  OctahedralMap directions(const PointSubset& subset) const
+  {
+    constexpr std::uint32_t Some = 1 << 10;
+    const std::uint32_t step = subset.count / Some + 1;
+    std::vector<Vertex> vertices;
+    double unit[3] = { 0, 0, 0 };
+    subset.eachWanted(this->source, 0, subset.count,
+      [&](std::uint32_t id)
+      {
+        if (id % step == 0 || id >= this->view.count) // what bounds a prism
+        {
+          vertices.push_back(this->source.vertex(id));
+          for (int i = 0; i < 3; ++i)
+          {
+            unit[i] = std::max(unit[i], std::fabs(vertices.back().x[i]));
+          }
+        }
+      });
+    const bool isInRange =
+      std::all_of(unit, unit + 3, [](double x) { return x > 0x1p-500 && x < 0x1p500; });
+    constexpr double origin[3] = { 0, 0, 0 };
+    return octahedralMapOf(origin, isInRange ? unit : nullptr, vertices.data(),
+      std::max<std::size_t>(vertices.size(), 1));
+  }
+
+  Polyhedron tetrahedronOf(const std::array<FarRow, 4>& far)
+  {
     Vertex corner[4];
     for (int i = 0; i < 4; ++i)
     {
-      const double row[4] = { normal[i][0], normal[i][1], normal[i][2],
-        std::min(std::ldexp(scale, exponent), 0x1p1023) };
-      this->setRow(this->farId(i), row, this->center);
+      const FarRow& row = far[static_cast<std::size_t>(i)];
+      this->setRow(this->farId(i), row.data(), this->center);
       corner[i].id = this->farId(i);
       corner[i].flags = VertexAlive;
-      std::transform(row, row + 3, corner[i].x, [&](double x) { return x / row[3]; });
+      std::transform(
+        row.begin(), row.begin() + 3, corner[i].x, [&](double x) { return x / row[3]; });
     }
     if (this->geometry.above(corner[0], corner[1], corner[2], corner[3]) > 0)
     {
@@ -507,9 +451,6 @@ private:
       }
     }
   }
-
-  static constexpr double Origin[3] = { 0, 0, 0 };
-  static constexpr double Axes[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
 
   const HalfSpaceView view;
   HalfSpaceRows rows;

@@ -26,9 +26,9 @@ using Rational = boost::multiprecision::number<
 /// The constraint of a half-space on a position and its margin, the last variable: margins are in
 /// units of the normals.
 template <int Dimension, class Number>
-HalfSpace<Dimension + 1, Number> constraintOf(const double* row)
+LinearConstraint<Dimension + 1, Number> constraintOf(const double* row)
 {
-  HalfSpace<Dimension + 1, Number> result;
+  LinearConstraint<Dimension + 1, Number> result;
   double most = 0;
   for (int i = 0; i < Dimension; ++i)
   {
@@ -42,7 +42,7 @@ HalfSpace<Dimension + 1, Number> constraintOf(const double* row)
 
 /// By how much a position with a margin does not satisfy it.
 template <int Dimension, class Number>
-Number excessOf(const HalfSpace<Dimension, Number>& constraint, const Number* x)
+Number excessOf(const LinearConstraint<Dimension, Number>& constraint, const Number* x)
 {
   Number excess = -constraint.bound;
   for (int i = 0; i < Dimension; ++i)
@@ -52,17 +52,11 @@ Number excessOf(const HalfSpace<Dimension, Number>& constraint, const Number* x)
   return excess;
 }
 
-/// Is a normal zero?
-bool hasNoNormal(const double* row)
-{
-  return row[0] == 0 && row[1] == 0 && row[2] == 0;
-}
-
 /// The constraints of half-spaces that have a border, with normals whose largest number is 1.
 /// @return the greatest bound: no ball in a bounded intersection has a greater radius
 template <int Dimension>
 double roundedConstraints(
-  const HalfSpaceRows& rows, std::vector<HalfSpace<Dimension + 1>>& constraints)
+  const HalfSpaceRows& rows, std::vector<LinearConstraint<Dimension + 1>>& constraints)
 {
   double most = 0;
   for (std::size_t i = 0; i < rows.size(); i += 4)
@@ -71,7 +65,7 @@ double roundedConstraints(
     {
       continue;
     }
-    HalfSpace<Dimension + 1> constraint = constraintOf<Dimension, double>(rows.data() + i);
+    LinearConstraint<Dimension + 1> constraint = constraintOf<Dimension, double>(rows.data() + i);
     const double size = constraint.normal[Dimension];
     for (double& number : constraint.normal)
     {
@@ -87,13 +81,14 @@ double roundedConstraints(
 /// The best position and margin, rounded; false: none was found.
 /// @param unit of lengths
 template <int Dimension>
-bool maximizeRounded(std::vector<HalfSpace<Dimension + 1>> constraints, double unit, double* best)
+bool maximizeRounded(
+  std::vector<LinearConstraint<Dimension + 1>> constraints, double unit, double* best)
 {
-  for (HalfSpace<Dimension + 1>& constraint : constraints)
+  for (LinearConstraint<Dimension + 1>& constraint : constraints)
   {
     constraint.bound /= unit;
   }
-  HalfSpace<Dimension + 1> limit{}; // of margins
+  LinearConstraint<Dimension + 1> limit{}; // of margins
   limit.normal[Dimension] = 1;
   limit.bound = 1;
   constraints.push_back(limit);
@@ -114,11 +109,11 @@ class ExactProgram
 {
 public:
   static constexpr int Variables = Dimension + 1; ///< a position and its margin
-  using Constraint = HalfSpace<Variables, Rational>;
+  using Constraint = LinearConstraint<Variables, Rational>;
 
   /// @param rounded the same in doubles, in the order of the rows that have a border
-  ExactProgram(
-    const HalfSpaceRows& rows, const std::vector<HalfSpace<Variables>>& rounded, Monitor& monitor)
+  ExactProgram(const HalfSpaceRows& rows, const std::vector<LinearConstraint<Variables>>& rounded,
+    Monitor& monitor)
     : rounded(rounded)
     , monitor(monitor)
   {
@@ -190,7 +185,7 @@ private:
     for (std::size_t i = 0; i < this->rounded.size(); ++i)
     {
       poll.step();
-      HalfSpace<Variables> constraint = this->rounded[i];
+      LinearConstraint<Variables> constraint = this->rounded[i];
       constraint.bound *= share;
       const double value = excessOf(constraint, scaled);
       if (value > most)
@@ -220,7 +215,7 @@ private:
     return worst;
   }
 
-  const std::vector<HalfSpace<Variables>>& rounded;
+  const std::vector<LinearConstraint<Variables>>& rounded;
   Monitor& monitor;
   std::vector<const double*> bordered;
   std::vector<Constraint> chosen;
@@ -228,9 +223,9 @@ private:
 
 /// normal . variables <= bound, of one variable.
 template <int Variables>
-HalfSpace<Variables, Rational> limitOf(int variable, int sign, const Rational& bound)
+LinearConstraint<Variables, Rational> limitOf(int variable, int sign, const Rational& bound)
 {
-  HalfSpace<Variables, Rational> limit;
+  LinearConstraint<Variables, Rational> limit;
   limit.normal[variable] = sign;
   limit.bound = bound;
   return limit;
@@ -242,7 +237,7 @@ template <int Dimension>
 void centerExactly(ExactProgram<Dimension>& program, double unit, Rational* best)
 {
   constexpr int Variables = Dimension + 1;
-  std::vector<HalfSpace<Variables, Rational>> limits;
+  std::vector<LinearConstraint<Variables, Rational>> limits;
   const Rational half = best[Dimension] / 2;
   limits.push_back(limitOf<Variables>(Dimension, 1, half));
   limits.push_back(limitOf<Variables>(Dimension, -1, -half));
@@ -272,7 +267,7 @@ template <int Dimension>
 Intersection findInteriorIn(const HalfSpaceRows& rows, double* c, Monitor& monitor)
 {
   constexpr int Variables = Dimension + 1;
-  std::vector<HalfSpace<Variables>> constraints;
+  std::vector<LinearConstraint<Variables>> constraints;
   const double unit = roundedConstraints<Dimension>(rows, constraints);
   const auto takeIfInside = [&](const auto& coordinate)
   {
@@ -291,11 +286,11 @@ Intersection findInteriorIn(const HalfSpaceRows& rows, double* c, Monitor& monit
   }
   ExactProgram<Dimension> program(rows, constraints, monitor);
   // No ball in a bounded intersection has a greater radius.
-  std::vector<HalfSpace<Variables, Rational>> limits{ limitOf<Variables>(
+  std::vector<LinearConstraint<Variables, Rational>> limits{ limitOf<Variables>(
     Dimension, 1, 2 * Rational(unit)) };
   Rational best[Variables];
   // Small numbers, where they are enough: only the last decide that there is no inside.
-  for (const int exponent : { std::ilogb(unit) + 64, Beyond })
+  for (const int exponent : { std::max(std::ilogb(unit), 0) + 64, Beyond })
   {
     if (program.optimize(Dimension, 1, limits, exponent, best) && best[Dimension] > 0)
     {

@@ -23,42 +23,19 @@ namespace
 
 static_assert(hasSigns<FurthestGeometry>());
 
-/// Directions from the kernel point, in which a triangle around it is spread: neighbours along a
-/// hull are near each other in these, however thin it is.
-OctahedralMap directionsOf(
-  const LiftedGeometry<false>& geometry, const std::vector<Vertex>& triangle)
+/// Directions from the kernel point, in the axes of a triangle around it: neighbours along a hull
+/// are near each other in these, however thin it is.
+OctahedralMap directionsOf(const LiftedGeometry<false>& geometry, const Vertex* triangle)
 {
-  double unit[2] = { 0, 0 };
-  for (int i = 0; i < 2; ++i)
+  const double kernel[3] = { geometry.kernel()[0], geometry.kernel()[1], 0 };
+  double unit[3] = { 0, 0, 1 };
+  for (int i = 0; i < 6; ++i)
   {
-    for (const Vertex& v : triangle)
-    {
-      unit[i] = std::max(unit[i], std::fabs(v.x[i] - geometry.kernel()[i]));
-    }
+    unit[i % 2] = std::max(unit[i % 2], std::fabs(triangle[i / 2].x[i % 2] - kernel[i % 2]));
   }
   const bool isInRange =
     std::min(unit[0], unit[1]) > 0x1p-500 && std::max(unit[0], unit[1]) < 0x1p500;
-  double moment[3] = { 0, 0, 0 }; // of xx, xy, yy, in these units
-  for (const Vertex& v : triangle)
-  {
-    const double x = isInRange ? (v.x[0] - geometry.kernel()[0]) / unit[0] : 0;
-    const double y = isInRange ? (v.x[1] - geometry.kernel()[1]) / unit[1] : 0;
-    moment[0] += x * x;
-    moment[1] += x * y;
-    moment[2] += y * y;
-  }
-  // The inverse of their Cholesky factor, as octahedralMapOf has it.
-  double basis[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-  const double rest = moment[2] - moment[1] * moment[1] / moment[0];
-  if (isInRange && rest > 0)
-  {
-    const double second = 1 / std::sqrt(rest);
-    basis[0][0] = 1 / (std::sqrt(moment[0]) * unit[0]);
-    basis[1][0] = -second * moment[1] / moment[0] / unit[0];
-    basis[1][1] = second / unit[1];
-  }
-  const double kernel[3] = { geometry.kernel()[0], geometry.kernel()[1], 0 };
-  return OctahedralMap(kernel, basis);
+  return octahedralMapOf(kernel, isInRange ? unit : nullptr, triangle, 3);
 }
 
 class FurthestSiteRun : public TriangulationRun<false>
@@ -86,7 +63,7 @@ private:
       return;
     }
     Polyhedron start = startingTetrahedron(this->geometry, this->source, span.ids);
-    const std::vector<Vertex> startCorners(start.vertices.begin(), start.vertices.begin() + 3);
+    const OctahedralMap map = directionsOf(this->geometry, start.vertices.data());
     FurthestGeometry turned(this->geometry);
     const BuildTask<FurthestGeometry> task{ turned, this->source, this->range, this->checkFinite,
       this->options, this->threads, this->monitor, {} };
@@ -96,8 +73,8 @@ private:
     subset.checkFinite = this->checkFinite;
     subset.exclude(corners);
     Tally tally;
-    Polyhedron polyhedron = insertAlongCurve(task, std::move(start), subset,
-      directionsOf(this->geometry, startCorners), 0.1, 0.9, tally, result.statistics);
+    Polyhedron polyhedron =
+      insertAlongCurve(task, std::move(start), subset, map, 0.1, 0.9, tally, result.statistics);
     this->watch.lap();
     result.dimension = 2;
     this->monitor.stage(0.9, 1.0, 1, "finishing");

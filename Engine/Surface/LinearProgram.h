@@ -19,7 +19,7 @@ namespace flipflop
 
 /// normal . x <= bound
 template <int Dimension, class Number = double>
-struct HalfSpace
+struct LinearConstraint
 {
   Number normal[Dimension];
   Number bound;
@@ -36,8 +36,9 @@ inline constexpr double Slack<double> = 1e-13;
 
 /// Along a line.
 template <class Number>
-bool maximizeOnLine(const Number& objective, const std::vector<HalfSpace<1, Number>>& constraints,
-  std::size_t count, const Number& box, Number& x)
+bool maximizeOnLine(const Number& objective,
+  const std::vector<LinearConstraint<1, Number>>& constraints, std::size_t count, const Number& box,
+  Number& x)
 {
   using std::abs;
   Number low = -box;
@@ -71,8 +72,8 @@ template <int Dimension, class Number>
 class Elimination
 {
 public:
-  using Given = HalfSpace<Dimension, Number>;
-  using Reduced = HalfSpace<Dimension - 1, Number>;
+  using Given = LinearConstraint<Dimension, Number>;
+  using Reduced = LinearConstraint<Dimension - 1, Number>;
 
   /// The variable is the one with the largest factor.
   explicit Elimination(const Given& constraint)
@@ -150,7 +151,7 @@ private:
 /// In order; the constraints before the one that fails are tight on it.
 template <int Dimension, class Number>
 bool maximizeInOrder(const Number* objective,
-  const std::vector<HalfSpace<Dimension, Number>>& constraints, std::size_t count,
+  const std::vector<LinearConstraint<Dimension, Number>>& constraints, std::size_t count,
   const Number& box, Number* x)
 {
   if constexpr (Dimension == 1)
@@ -180,7 +181,7 @@ bool maximizeInOrder(const Number* objective,
       {
         return false;
       }
-      HalfSpace<Dimension, Number> goal{};
+      LinearConstraint<Dimension, Number> goal{};
       std::copy(objective, objective + Dimension, goal.normal);
       const auto reducedGoal = eliminate(goal);
       const auto reduced = eliminate.reduced(constraints, k, box);
@@ -202,8 +203,8 @@ bool maximizeInOrder(const Number* objective,
 /// shuffled, by a fixed seed.
 /// @return false when nothing satisfies them
 template <int Dimension, class Number = double>
-bool maximize(const Number* objective, std::vector<HalfSpace<Dimension, Number>>& constraints,
-  const Number& box, Number* x)
+bool maximize(const Number* objective,
+  std::vector<LinearConstraint<Dimension, Number>>& constraints, const Number& box, Number* x)
 {
   std::uint64_t state = 0x9E3779B97F4A7C15ull;
   for (std::size_t i = constraints.size(); i > 1; --i)

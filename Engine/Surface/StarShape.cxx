@@ -111,7 +111,7 @@ bool seekKernel(const Polyhedron& polyhedron, double* coarse, double* fine)
 {
   // In the unit cube: n . x + margin <= n . a for every triangle with the unit normal n through a.
   const UnitCube unit(polyhedron);
-  std::vector<HalfSpace<4>> constraints;
+  std::vector<LinearConstraint<4>> constraints;
   constraints.reserve(polyhedron.triangles.size());
   for (const Triangle& t : polyhedron.triangles)
   {
@@ -123,7 +123,7 @@ bool seekKernel(const Polyhedron& polyhedron, double* coarse, double* fine)
     const double length = lengthOf(n);
     if (length > 0)
     {
-      HalfSpace<4> h;
+      LinearConstraint<4> h;
       h.bound = 0;
       for (int i = 0; i < 3; ++i)
       {

@@ -52,7 +52,8 @@ struct HalfSpaceIntersection : CellComplex
 
   /// For each half-space, redundant ones too, its dual point: normal / -(normal . interior +
   /// offset), dimension coordinates, rounded to nearest. The half-spaces with a facet are the
-  /// vertices of their hull. Of Bounded alone; a normal of zeros has the dual point 0.
+  /// vertices of their hull. Of Bounded and Unbounded alone; a normal of zeros has the dual point
+  /// 0.
   Buffer<double> dualPoints;
 };
 
